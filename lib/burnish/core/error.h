@@ -1,0 +1,36 @@
+// The one exception the library throws: what went wrong, and of which kind.
+//
+// A message names the file, what was expected and what was found, on one line:
+//   'm.png': expected 1 channel, got 3
+// Callers above the library turn the kind into an exit code; nothing in the library knows of those.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace burnish {
+
+enum class ErrorKind {
+  kUsage,        // an option or argument that makes no sense
+  kIo,           // a file cannot be read or written
+  kMalformed,    // input is damaged or does not fit: sizes differ, NaN, wrong channels
+  kInternal,     // a fault of ours
+  kUnsupported,  // well-formed, and not provided
+  kThreshold,    // a check or threshold was not met
+};
+
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+  ErrorKind kind() const { return kind_; }
+
+ private:
+  ErrorKind kind_;
+};
+
+// 'name': message
+inline Error file_error(ErrorKind kind, const std::string& name, const std::string& message) {
+  return Error(kind, (name == "-" ? "standard input" : "'" + name + "'") + ": " + message);
+}
+
+}  // namespace burnish

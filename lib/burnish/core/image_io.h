@@ -1,0 +1,107 @@
+// Image files in and out, in bands of rows, with data kept as data.
+//
+// The only user of OpenImageIO. Samples are never colour-converted, multiplied by alpha or rotated; integers read as floats
+// are divided by their maximum, floats are taken as they are. Writers put no clock and no path into a file.
+// Errors: kIo where a file is missing, a directory, unreadable or unwritable; kMalformed where its content is damaged or of no
+// known type; kUnsupported where it is valid but beyond what is read here.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "burnish/core/image.h"
+
+namespace burnish {
+
+enum class SampleType { kUint8, kUint16, kHalf, kFloat };
+enum class FileType { kPng, kTga, kBmp, kTiff, kExr };
+
+// "uint8", "uint16", "half", "float"
+const char* name(SampleType type);
+// "PNG", "TGA", …
+const char* name(FileType type);
+
+// From the extension; kUnsupported where it names no type that is written here.
+FileType file_type_of(const std::string& name);
+// PNG, TGA, BMP: uint8; TIFF: uint16; EXR: half.
+SampleType default_sample_type(FileType type);
+// kUnsupported where the file type cannot hold the samples.
+void require_can_hold(FileType type, SampleType sample, const std::string& name);
+
+// A file as it is opened, and as people know it ("-" is standard input or output).
+struct FileRef {
+  std::string path, name;
+  FileRef() = default;
+  FileRef(std::string p) : path(p), name(std::move(p)) {}
+  FileRef(const char* p) : path(p), name(p) {}
+  FileRef(std::string p, std::string n) : path(std::move(p)), name(std::move(n)) {}
+  bool empty() const { return path.empty(); }
+};
+
+class ImageReader {
+ public:
+  explicit ImageReader(const FileRef& file);
+  ~ImageReader();
+  ImageReader(ImageReader&&) noexcept;
+
+  int width() const;
+  int height() const;
+  int channels() const;
+  bool integer() const;            // stored as integers, read as [0, 1]
+  SampleType sample_type() const;  // nearest of the four; other integers count as uint16
+  const std::vector<std::string>& channel_names() const;
+  const std::string& name() const;  // for messages
+  std::size_t file_bytes() const;   // of the pixels, uncompressed, as stored
+  bool has_exact_samples() const;   // the file stores exactly sample_type()
+
+  // Rows [first, first + count) of all channels, interleaved, as float. Rows may be read in any order; ascending is fast.
+  void read_rows(int first, int count, float* out);
+  // The stored samples without conversion, size as sample_type(); only where has_exact_samples().
+  void read_rows_stored(int first, int count, void* out);
+
+  // kMalformed unless the image has that size; `what` names the other image.
+  void require_size(int width, int height, const std::string& what) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+class ImageWriter {
+ public:
+  using Attributes = std::vector<std::pair<std::string, std::string>>;
+  // Writes to file.path; messages speak of file.name. Channels are named R, G, B, A, or Y where there is one.
+  ImageWriter(const FileRef& file, FileType type, SampleType sample, int width, int height, int channels,
+              const Attributes& attributes = {});
+  ~ImageWriter();
+
+  // The next `count` rows. Floats are converted to the file's samples: integers by round half up of the clamped value.
+  void write_rows(int count, const float* rows);
+  // Samples already in the file's own type.
+  void write_rows_stored(int count, const void* rows);
+  // Must be called: reports what only closing can reveal.
+  void close();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// Whole images.
+Image read_image(const FileRef& file);
+void write_image(const FileRef& file, FileType type, SampleType sample, const Image& image,
+                 const ImageWriter::Attributes& attributes = {});
+// One channel, 8-bit, unscaled: material ids. kMalformed where the file is anything else.
+ByteImage read_ids(const FileRef& file, int width, int height);
+// One value a texel: whether the first channel differs from 0. kMalformed where the size differs.
+ByteImage read_mask(const FileRef& file, int width, int height);
+
+// How many threads the codecs may use; 0 leaves it to the machine.
+void set_codec_threads(int threads);
+// "OpenImageIO 2.4.7", for --version.
+std::string codec_version();
+
+}  // namespace burnish

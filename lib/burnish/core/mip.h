@@ -1,0 +1,34 @@
+// Sizes of mip levels, and the weights with which texels of one level make a texel of the next.
+//
+// Level sizes are ⌊n/2⌋, at least 1. An even side of 2m texels averages pairs. An odd side of 2m + 1 makes m texels, each
+// (2m + 1)/m of the finer texels wide: texel i covers the finer 2i, 2i+1, 2i+2 with weights m−i, m, i+1 out of 2m + 1, so that
+// each finer texel counts the same in the end and no texel shifts. Weights are integers: ties are exact.
+// Source: Guthe & Heckbert, "Non-power-of-two mipmapping" (NVIDIA, 2005).
+#pragma once
+
+#include <algorithm>
+
+namespace burnish {
+
+inline int next_level_size(int n) { return std::max(1, n / 2); }
+
+inline int level_count(int width, int height) {
+  int n = 1;
+  for (; width > 1 || height > 1; n++) width = next_level_size(width), height = next_level_size(height);
+  return n;
+}
+
+// Texels first … first + count − 1 of the finer level, along one side; their weights sum to `total`.
+struct MipTaps {
+  int first, count, total;
+  int weight[3];
+};
+
+inline MipTaps mip_taps(int finer_size, int i) {
+  if (finer_size == 1) return {0, 1, 1, {1, 0, 0}};
+  if (finer_size % 2 == 0) return {2 * i, 2, 2, {1, 1, 0}};
+  const int m = finer_size / 2;
+  return {2 * i, 3, finer_size, {m - i, m, i + 1}};
+}
+
+}  // namespace burnish

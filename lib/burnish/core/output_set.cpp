@@ -1,0 +1,158 @@
+#include "burnish/core/output_set.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+
+#include "burnish/core/error.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Paths a signal handler may unlink: slots of a fixed table, each published by one atomic pointer.
+constexpr int kSlots = 256;
+std::atomic<const char*> g_temporaries[kSlots];
+
+int publish(const std::string& path) {
+  char* copy = ::strdup(path.c_str());
+  for (int i = 0; i < kSlots; i++) {
+    const char* expected = nullptr;
+    if (g_temporaries[i].compare_exchange_strong(expected, copy)) return i;
+  }
+  std::free(copy);
+  throw Error(ErrorKind::kInternal, "too many outputs at once");
+}
+
+void withdraw(int slot) { std::free(const_cast<char*>(g_temporaries[slot].exchange(nullptr))); }
+
+// Creates a file that did not exist, or returns an empty string with errno set.
+std::string create_unique(const fs::path& directory, const std::string& stem) {
+  for (int n = 0; n < 1000; n++) {
+    const fs::path p =
+        directory / ("." + stem + "." + std::to_string(::getpid()) + "-" + std::to_string(n) + ".burnish-tmp");
+    const int fd = ::open(p.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (fd >= 0) {
+      ::close(fd);
+      return p.string();
+    }
+    if (errno != EEXIST) return {};
+  }
+  return {};
+}
+
+fs::path scratch_directory() {
+  const char* dir = std::getenv("TMPDIR");
+  return dir && *dir ? dir : "/tmp";
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  struct stat sa, sb;
+  return ::stat(a.c_str(), &sa) == 0 && ::stat(b.c_str(), &sb) == 0 && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
+}
+
+Error cannot_write(const std::string& name, int error) {
+  return Error(ErrorKind::kIo, (name == "-" ? std::string("standard output") : "'" + name + "'") +
+                                   ": cannot be written: " + std::strerror(error));
+}
+
+void copy_to_stdout(const std::string& path) {
+  std::FILE* in = std::fopen(path.c_str(), "rb");
+  if (!in) throw cannot_write("-", errno);
+  std::vector<char> buffer(1 << 20);
+  int error = 0;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), in)) {
+    if (std::fwrite(buffer.data(), 1, n, stdout) != n) {
+      error = errno ? errno : EIO;
+      break;
+    }
+  }
+  std::fclose(in);
+  if (!error && std::fflush(stdout) != 0) error = errno;
+  if (error) throw cannot_write("-", error);
+}
+
+}  // namespace
+
+void OutputSet::protect(const std::string& input) { inputs_.push_back(input); }
+
+FileRef OutputSet::add(const std::string& target) {
+  for (const Output& o : outputs_)
+    if (o.file.name == target || (target != "-" && o.file.name != "-" &&
+                                  fs::path(o.file.name).lexically_normal() == fs::path(target).lexically_normal()))
+      throw file_error(ErrorKind::kUsage, target, "is named as an output twice");
+  if (target == "-") {
+    const std::string path = create_unique(scratch_directory(), "burnish-stdout");
+    if (path.empty()) throw cannot_write(scratch_directory().string(), errno);
+    outputs_.push_back({FileRef(path, "-"), publish(path)});
+    return outputs_.back().file;
+  }
+  const fs::path t(target);
+  std::error_code ignored;
+  if (fs::is_directory(t, ignored)) throw file_error(ErrorKind::kIo, target, "expected a file to write, got a directory");
+  for (const std::string& in : inputs_)
+    if (same_file(in, target)) throw file_error(ErrorKind::kUsage, target, "is an input; name another output");
+  const fs::path directory = t.has_parent_path() ? t.parent_path() : fs::path(".");
+  if (fs::exists(t, ignored) && ::access(target.c_str(), W_OK) != 0) throw cannot_write(target, errno);
+  const std::string path = create_unique(directory, t.filename().string());
+  if (path.empty()) throw cannot_write(target, errno);
+  outputs_.push_back({FileRef(path, target), publish(path)});
+  return outputs_.back().file;
+}
+
+void OutputSet::commit() {
+  for (const Output& o : outputs_) {  // what did not reach the disk is found before anything is replaced
+    const int fd = ::open(o.file.path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (fd < 0) throw cannot_write(o.file.name, errno);
+    struct stat st;
+    const int error = ::fstat(fd, &st) != 0 ? errno : 0;
+    ::close(fd);
+    if (error) throw cannot_write(o.file.name, error);
+  }
+  for (Output& o : outputs_) {
+    if (o.file.name == "-") {
+      copy_to_stdout(o.file.path);
+      ::unlink(o.file.path.c_str());
+    } else if (::rename(o.file.path.c_str(), o.file.name.c_str()) != 0) {
+      throw cannot_write(o.file.name, errno);
+    }
+    withdraw(o.slot);
+    o.slot = -1;
+  }
+  outputs_.clear();
+}
+
+OutputSet::~OutputSet() {
+  for (const Output& o : outputs_) {
+    if (o.slot < 0) continue;
+    ::unlink(o.file.path.c_str());
+    withdraw(o.slot);
+  }
+}
+
+void OutputSet::remove_all_temporaries() noexcept {
+  for (auto& slot : g_temporaries)
+    if (const char* path = slot.load()) ::unlink(path);
+}
+
+ScratchFile::ScratchFile() : path_(create_unique(scratch_directory(), "burnish-stdin")), slot_(-1) {
+  if (path_.empty()) throw cannot_write(scratch_directory().string(), errno);
+  slot_ = publish(path_);
+}
+
+ScratchFile::~ScratchFile() {
+  ::unlink(path_.c_str());
+  withdraw(slot_);
+}
+
+}  // namespace burnish

@@ -1,0 +1,58 @@
+// Outputs that appear all together and whole, or not at all.
+//
+// Each is written to a temporary beside its target, so that the final rename stays within one file system, under a name that
+// no build's `*.png` matches; commit() renames them in the order they were added. Destroyed without a commit, the set removes
+// what it wrote and every old file is as it was.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "burnish/core/image_io.h"
+
+namespace burnish {
+
+class OutputSet {
+ public:
+  OutputSet() = default;
+  ~OutputSet();
+  OutputSet(const OutputSet&) = delete;
+  OutputSet& operator=(const OutputSet&) = delete;
+
+  // Registers a file that is read, so that no output may take its place.
+  void protect(const std::string& input);
+  // Reserves a temporary for the target; "-" is standard output, copied there by commit().
+  // kIo where the directory is missing or not writable or the target is a directory; kUsage where it is an input or is
+  // written twice.
+  FileRef add(const std::string& target);
+  // Flushes, then renames all into place. kIo on failure.
+  void commit();
+  bool empty() const { return outputs_.empty(); }
+
+  // Removes the temporaries of every live set; callable from a signal handler.
+  static void remove_all_temporaries() noexcept;
+
+ private:
+  struct Output {
+    FileRef file;
+    int slot;
+  };
+  std::vector<Output> outputs_;
+  std::vector<std::string> inputs_;
+};
+
+// A new empty file in the directory for temporary files, removed like the temporaries of outputs; used to hold standard input.
+class ScratchFile {
+ public:
+  ScratchFile();
+  ~ScratchFile();
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  int slot_;
+};
+
+}  // namespace burnish

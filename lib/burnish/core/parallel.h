@@ -1,0 +1,54 @@
+// Parallel loops, and the promise that no result depends on how many threads ran them.
+//
+// Every body writes only what belongs to its own index. What is summed up is summed per chunk, over chunks whose bounds
+// depend on the size alone, and then in the order of the chunks.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace burnish {
+
+// While it lives, at most `threads` run; 0 leaves it to the machine.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads)
+      : control_(tbb::global_control::max_allowed_parallelism,
+                 threads > 0 ? std::size_t(threads)
+                             : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)) {}
+
+ private:
+  tbb::global_control control_;
+};
+
+// body(i) for each i in [0, count).
+template <typename Body>
+void parallel_for(std::size_t count, const Body& body) {
+  tbb::parallel_for(std::size_t(0), count, body);
+}
+
+// body(begin, end, chunk) over chunks of `grain` indices; the chunks are the same whatever the thread count.
+template <typename Body>
+void parallel_for_chunks(std::size_t count, std::size_t grain, const Body& body) {
+  const std::size_t chunks = (count + grain - 1) / grain;
+  tbb::parallel_for(std::size_t(0), chunks,
+                    [&](std::size_t c) { body(c * grain, std::min(count, (c + 1) * grain), c); });
+}
+
+// The sum of body(begin, end) over chunks of `grain` indices, added in their order; T needs +=.
+template <typename T, typename Body>
+T parallel_sum(std::size_t count, std::size_t grain, const Body& body) {
+  std::vector<T> partial((count + grain - 1) / grain);
+  parallel_for_chunks(count, grain,
+                      [&](std::size_t begin, std::size_t end, std::size_t c) { partial[c] = body(begin, end); });
+  T total{};
+  for (const T& p : partial) total += p;
+  return total;
+}
+
+}  // namespace burnish

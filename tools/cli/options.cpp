@@ -1,0 +1,65 @@
+#include "cli/options.h"
+
+#include <cmath>
+
+#include "burnish/core/error.h"
+
+namespace burnish::cli {
+
+void add_normal_coding(CLI::App& app, NormalCoding& coding, bool with_channels) {
+  add_choice<GreenAxis>(app, "--y", coding.green, {{"up", GreenAxis::kUp}, {"down", GreenAxis::kDown}},
+                        "Green of the normal map: up (OpenGL, default) or down (DirectX)")
+      ->group("Normal map");
+  add_choice<NormalEncoding>(app, "--encoding", coding.encoding,
+                             {{"biased", NormalEncoding::kBiased}, {"signed", NormalEncoding::kSigned}},
+                             "How vectors are stored; default biased in integers, signed in half and float")
+      ->group("Normal map");
+  if (with_channels)
+    app.add_option("--channels", coding.channels,
+                   "Channels that hold the normal, by letter: xy (z is rebuilt), ag, rgb …; default the first three")
+        ->type_name("LETTERS")
+        ->group("Normal map");
+}
+
+void ImageOutput::add_to(CLI::App& app, bool standard_output) {
+  app.add_option("-o,--output", path, standard_output ? "File to write; '-' is standard output" : "File to write")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("-d,--format", format, "Samples: uint8, uint16, half or float; default by the file's type")
+      ->check(CLI::IsMember({"uint8", "uint16", "half", "float"}))
+      ->type_name("F");
+  if (standard_output)
+    app.add_option("--output-type", output_type, "Type of what goes to standard output")
+        ->check(CLI::IsMember({"png", "exr", "tiff"}))
+        ->type_name("png|exr|tiff");
+}
+
+FileType ImageOutput::type() const {
+  if (!output_type.empty()) return file_type_of("x." + output_type);
+  if (path == "-") throw Error(ErrorKind::kUsage, "standard output needs --output-type png, exr or tiff");
+  return file_type_of(path);
+}
+
+SampleType ImageOutput::sample() const {
+  SampleType sample = default_sample_type(type());
+  for (SampleType s : {SampleType::kUint8, SampleType::kUint16, SampleType::kHalf, SampleType::kFloat})
+    if (format == name(s)) sample = s;
+  require_can_hold(type(), sample, path);
+  return sample;
+}
+
+double parse_length(const std::string& flag, const std::string& text) {
+  std::size_t used = 0;
+  double value = NAN;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+  }
+  const std::string unit = std::isnan(value) ? "?" : text.substr(used);
+  const double scale = unit.empty() || unit == "m" ? 1.0 : unit == "cm" ? 0.01 : unit == "mm" ? 0.001 : NAN;
+  if (!std::isfinite(value * scale))
+    throw CLI::ValidationError(flag, "expected a length such as 2, 2m, 10cm or 5mm, got '" + text + "'");
+  return value * scale;
+}
+
+}  // namespace burnish::cli

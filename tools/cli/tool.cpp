@@ -1,0 +1,177 @@
+#include "cli/tool.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include "burnish/core/error.h"
+#include "burnish/core/parallel.h"
+#include "cli/depfile.h"
+#include "cli/exit_code.h"
+#include "cli/version.h"
+
+namespace burnish::cli {
+namespace {
+
+extern "C" void remove_temporaries_and_die(int signal) {
+  OutputSet::remove_all_temporaries();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+std::string shell_quoted(const std::string& word) {
+  const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                             "0123456789-_=+./:,@%") == std::string::npos;
+  if (plain) return word;
+  std::string out = "'";
+  for (char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+std::string one_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
+void spool_standard_input(const std::string& path) {
+  std::ofstream out(path, std::ios::binary);
+  std::vector<char> buffer(1 << 20);
+  for (ssize_t n; (n = ::read(STDIN_FILENO, buffer.data(), buffer.size())) != 0;) {
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0 || !out.write(buffer.data(), n)) throw file_error(ErrorKind::kIo, "-", "cannot be read into a temporary file");
+  }
+  if (!out.flush()) throw file_error(ErrorKind::kIo, "-", "cannot be read into a temporary file");
+}
+
+}  // namespace
+
+Tool::Tool(const ToolText& text) : text_(text), app_(text.summary, text.name) {
+  app_.footer("Example:\n" + text.example +
+              "\n\nExit codes: 0 ok, 1 usage, 2 file cannot be read or written, 3 input is malformed or does not fit,\n"
+              "4 internal, 5 not supported, 10 a check or threshold was not met.");
+  app_.set_help_flag("-h,--help", "Print this help and exit");
+  app_.set_version_flag("--version", [] {
+    return std::string("burnish " BURNISH_VERSION " (" BURNISH_GIT_DESCRIBE "), " BURNISH_COMPILER ", ") + codec_version();
+  });
+  app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+  app_.add_flag("-q,--quiet", quiet_, "Nothing on standard error but errors")->group("Common");
+  app_.add_flag("-v,--verbose", verbose_, "Adds the full command line to an error")->group("Common");
+  app_.add_option("-j,--threads", threads_, "Threads; 0 uses all. The output never depends on it")
+      ->check(CLI::Range(0, 4096))
+      ->type_name("N")
+      ->group("Common");
+  app_.add_option("--report", report_, "Write what was done and measured as JSON; '-' is standard output")
+      ->type_name("FILE")
+      ->group("Common");
+  app_.add_option("--depfile", depfile_, "Write what was read, in the syntax of Make")->type_name("FILE")->group("Common");
+}
+
+int Tool::fail(int code, const std::string& message) {
+  if (bar_) bar_->clear();
+  std::string text = text_.name + ": error: " + one_line(message) + "\n";
+  if (verbose_) text += text_.name + ": command: " + command_ + "\n";
+  std::fputs(text.c_str(), stderr);
+  return code;
+}
+
+void Tool::note_input(const std::string& path) {
+  if (std::ranges::find(inputs_, path) == inputs_.end()) inputs_.push_back(path);
+  if (path != "-") output_set_->protect(path);
+}
+
+FileRef Tool::read(const std::string& path) {
+  note_input(path);
+  if (path != "-") return path;
+  if (!standard_input_) {
+    standard_input_.emplace();
+    spool_standard_input(standard_input_->path());
+  }
+  return {standard_input_->path(), "-"};
+}
+
+FileRef Tool::write(const std::string& path) {
+  FileRef file = output_set_->add(path);
+  outputs_.push_back(path);
+  return file;
+}
+
+void Tool::warn(const std::string& message) {
+  if (quiet_) return;
+  if (bar_) bar_->clear();
+  std::fputs((text_.name + ": warning: " + one_line(message) + "\n").c_str(), stderr);
+}
+
+Progress Tool::progress() {
+  return [this](double fraction) { bar_->update(fraction); };
+}
+
+void Tool::write_text(const FileRef& file, const std::string& text) {
+  std::ofstream out(file.path, std::ios::binary);
+  if (!out.write(text.data(), std::streamsize(text.size())) || !out.flush())
+    throw file_error(ErrorKind::kIo, file.name, "cannot be written");
+}
+
+void Tool::finish(const Json& stats, double seconds) {
+  const std::string first_output = outputs_.empty() ? "" : outputs_.front();
+  if (!report_.empty()) {
+    const Json report{{"tool", text_.name}, {"version", BURNISH_VERSION}, {"command", arguments_}, {"inputs", inputs_},
+                      {"outputs", outputs_}, {"seconds", seconds},        {"stats", stats}};
+    write_text(output_set_->add(report_), report.dump(2) + "\n");
+  }
+  if (!depfile_.empty()) {
+    std::vector<std::string> files = inputs_;
+    std::erase(files, "-");
+    write_text(output_set_->add(depfile_), depfile_text(first_output, files));
+  }
+  output_set_->commit();
+}
+
+int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
+  for (int i = 0; i < argc; i++) {
+    arguments_.push_back(i ? argv[i] : text_.name);
+    command_ += (i ? " " : "") + shell_quoted(arguments_.back());
+  }
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help, --version
+    app_.exit(request, std::cout, std::cerr);
+    return std::cout.flush() ? kOk : kIo;
+  } catch (const CLI::ParseError& error) {
+    return fail(kUsage, std::string(error.what()) + " (" + text_.name + " --help explains)");
+  }
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like any other
+  for (int s : {SIGINT, SIGTERM, SIGHUP}) std::signal(s, remove_temporaries_and_die);
+  try {
+    output_set_.emplace();
+    bar_.emplace(text_.name, quiet_);
+    const ThreadLimit limit(threads_);
+    set_codec_threads(threads_);
+    const auto start = std::chrono::steady_clock::now();
+    const Json stats = action();
+    finish(stats, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    bar_->clear();
+    output_set_.reset();
+    if (!missed_.empty()) return fail(kThreshold, missed_);
+    return kOk;
+  } catch (const Error& error) {
+    output_set_.reset();
+    standard_input_.reset();
+    return fail(exit_code(error.kind()), error.what());
+  } catch (const CLI::ParseError& error) {
+    output_set_.reset();
+    return fail(kUsage, error.what());
+  } catch (const std::bad_alloc&) {
+    output_set_.reset();
+    return fail(kInternal, "out of memory");
+  } catch (const std::exception& error) {
+    output_set_.reset();
+    return fail(kInternal, error.what());
+  }
+}
+
+}  // namespace burnish::cli
