@@ -1,11 +1,13 @@
 #include "burnish/core/image_io.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -42,10 +44,14 @@ const FileTypeInfo& info_of(FileType type) {
 
 OIIO::TypeDesc to_oiio(SampleType type) {
   switch (type) {
-    case SampleType::kUint8: return OIIO::TypeDesc::UINT8;
-    case SampleType::kUint16: return OIIO::TypeDesc::UINT16;
-    case SampleType::kHalf: return OIIO::TypeDesc::HALF;
-    default: return OIIO::TypeDesc::FLOAT;
+    case SampleType::kUint8:
+      return OIIO::TypeDesc::UINT8;
+    case SampleType::kUint16:
+      return OIIO::TypeDesc::UINT16;
+    case SampleType::kHalf:
+      return OIIO::TypeDesc::HALF;
+    default:
+      return OIIO::TypeDesc::FLOAT;
   }
 }
 
@@ -57,16 +63,19 @@ std::string one_line(std::string text) {
   return text;
 }
 
-// The codec a file's first bytes ask for, whatever its name says; empty where they tell nothing (TGA has no signature).
+// The codec a file's first bytes ask for, whatever its name says; empty where they tell nothing (TGA has no
+// signature).
 std::string codec_from_signature(const FileRef& file) {
   std::ifstream in(file.path, std::ios::binary);
   char head[12] = {};
   in.read(head, sizeof head);
   const std::string_view h(head, sizeof head);
-  if (in.gcount() == 0) throw file_error(ErrorKind::kMalformed, file.name, "expected an image, got an empty file");
+  if (in.gcount() == 0)
+    throw file_error(ErrorKind::kMalformed, file.name, "expected an image, got an empty file");
   if (h.starts_with("\x89PNG")) return "png";
   if (h.starts_with("\xff\xd8\xff")) return "jpeg";
-  if (h.starts_with(std::string_view("II*\0", 4)) || h.starts_with(std::string_view("MM\0*", 4))) return "tiff";
+  if (h.starts_with(std::string_view("II*\0", 4)) || h.starts_with(std::string_view("MM\0*", 4)))
+    return "tiff";
   if (h.starts_with("v/1\x01")) return "openexr";
   if (h.starts_with("BM")) return "bmp";
   if (h.starts_with("#?")) return "hdr";
@@ -87,14 +96,77 @@ void require_readable(const FileRef& file) {
     throw file_error(ErrorKind::kIo, file.name, std::string("cannot be read: ") + std::strerror(errno));
 }
 
+// What the codecs write through. Most of them look at no result of their own writes: without it a full disk
+// passes unseen.
+class CheckedFile final : public OIIO::Filesystem::IOProxy {
+ public:
+  explicit CheckedFile(const std::string& path)
+      : IOProxy(path, Write), file_(std::fopen(path.c_str(), "w+be")) {
+    if (!file_) return note_error(false);
+    std::setvbuf(file_, nullptr, _IOFBF, 1 << 18);
+  }
+  ~CheckedFile() override { close(); }
+  CheckedFile(const CheckedFile&) = delete;
+  CheckedFile& operator=(const CheckedFile&) = delete;
+
+  const char* proxytype() const override { return "file"; }
+  bool opened() const override { return file_ != nullptr; }
+  void close() override {
+    if (file_) note_error(std::fclose(file_) == 0);
+    file_ = nullptr;
+  }
+  std::size_t write(const void* bytes, std::size_t size) override {
+    if (!to_position()) return 0;
+    const std::size_t n = std::fwrite(bytes, 1, size, file_);
+    note_error(n == size);
+    at_ = m_pos += std::int64_t(n);
+    return n;
+  }
+  std::size_t read(void* bytes, std::size_t size) override {
+    at_ = -1;  // between writing and reading C wants a seek
+    if (!to_position()) return 0;
+    const std::size_t n = std::fread(bytes, 1, size, file_);
+    m_pos += std::int64_t(n);
+    at_ = -1;
+    return n;
+  }
+  std::size_t size() const override {
+    struct stat st;
+    return file_ && std::fflush(file_) == 0 && ::fstat(::fileno(file_), &st) == 0 ? std::size_t(st.st_size)
+                                                                                  : 0;
+  }
+
+  // errno of the first failure, or 0.
+  int first_error() const { return error_; }
+
+ private:
+  bool to_position() {
+    if (!file_) return false;
+    if (at_ != m_pos) note_error(::fseeko(file_, m_pos, SEEK_SET) == 0);
+    at_ = m_pos;
+    return true;
+  }
+  void note_error(bool ok) {
+    if (!ok && !error_) error_ = errno ? errno : EIO;
+  }
+
+  std::FILE* file_;
+  std::int64_t at_ = 0;  // where file_ stands
+  int error_ = 0;
+};
+
 }  // namespace
 
 const char* name(SampleType type) {
   switch (type) {
-    case SampleType::kUint8: return "uint8";
-    case SampleType::kUint16: return "uint16";
-    case SampleType::kHalf: return "half";
-    default: return "float";
+    case SampleType::kUint8:
+      return "uint8";
+    case SampleType::kUint16:
+      return "uint16";
+    case SampleType::kHalf:
+      return "half";
+    default:
+      return "float";
   }
 }
 
@@ -148,7 +220,10 @@ struct ImageReader::Impl {
     const std::size_t row_bytes = std::size_t(spec.width) * spec.nchannels * type.size();
     const int y0 = spec.y;
     if (spec.tile_width == 0) {
-      if (!in->read_scanlines(0, 0, y0 + first, y0 + first + count, 0, 0, spec.nchannels, type, out)) fail();
+      // The TIFF codec reports success for strips that the file is too short for, and leaves a message.
+      if (!in->read_scanlines(0, 0, y0 + first, y0 + first + count, 0, 0, spec.nchannels, type, out) ||
+          in->has_error())
+        fail();
       return;
     }
     for (int y = first; y < first + count;) {
@@ -157,15 +232,16 @@ struct ImageReader::Impl {
       if (tile_first != tiles_first || tiles_type != type) {
         tiles.resize(row_bytes * spec.tile_height);
         tiles_first = -1;
-        if (!in->read_tiles(0, 0, spec.x, spec.x + spec.width, y0 + tile_first, y0 + tile_end, 0, 1, 0, spec.nchannels,
-                            type, tiles.data()))
+        if (!in->read_tiles(0, 0, spec.x, spec.x + spec.width, y0 + tile_first, y0 + tile_end, 0, 1, 0,
+                            spec.nchannels, type, tiles.data()) ||
+            in->has_error())
           fail();
         tiles_first = tile_first;
         tiles_type = type;
       }
       const int end = std::min(first + count, tile_end);
-      std::memcpy(static_cast<std::byte*>(out) + row_bytes * (y - first), tiles.data() + row_bytes * (y - tile_first),
-                  row_bytes * (end - y));
+      std::memcpy(static_cast<std::byte*>(out) + row_bytes * (y - first),
+                  tiles.data() + row_bytes * (y - tile_first), row_bytes * (end - y));
       y = end;
     }
   }
@@ -194,11 +270,15 @@ bool ImageReader::integer() const { return !impl_->spec.format.is_floating_point
 SampleType ImageReader::sample_type() const {
   switch (impl_->spec.format.basetype) {
     case OIIO::TypeDesc::UINT8:
-    case OIIO::TypeDesc::INT8: return SampleType::kUint8;
-    case OIIO::TypeDesc::HALF: return SampleType::kHalf;
+    case OIIO::TypeDesc::INT8:
+      return SampleType::kUint8;
+    case OIIO::TypeDesc::HALF:
+      return SampleType::kHalf;
     case OIIO::TypeDesc::FLOAT:
-    case OIIO::TypeDesc::DOUBLE: return SampleType::kFloat;
-    default: return SampleType::kUint16;
+    case OIIO::TypeDesc::DOUBLE:
+      return SampleType::kFloat;
+    default:
+      return SampleType::kUint16;
   }
 }
 
@@ -220,12 +300,13 @@ void ImageReader::read_rows_stored(int first, int count, void* out) {
 void ImageReader::require_size(int w, int h, const std::string& what) const {
   if (width() == w && height() == h) return;
   throw file_error(ErrorKind::kMalformed, name(),
-                   "expected " + std::to_string(w) + "x" + std::to_string(h) + " texels as in " + what + ", got " +
-                       std::to_string(width()) + "x" + std::to_string(height()));
+                   "expected " + std::to_string(w) + "x" + std::to_string(h) + " texels as in " + what +
+                       ", got " + std::to_string(width()) + "x" + std::to_string(height()));
 }
 
 struct ImageWriter::Impl {
   FileRef file;
+  std::unique_ptr<CheckedFile> to;  // outlives what writes to it
   std::unique_ptr<OIIO::ImageOutput> out;
   OIIO::ImageSpec spec;
   SampleType sample;
@@ -233,24 +314,27 @@ struct ImageWriter::Impl {
   std::vector<std::byte> converted;
 
   [[noreturn]] void fail() {
-    std::string what = one_line(out->geterror());
-    throw file_error(ErrorKind::kIo, file.name, "cannot be written: " + (what.empty() ? "disk full?" : what));
+    std::string what = out ? one_line(out->geterror()) : "";
+    if (to->first_error()) what = std::strerror(to->first_error());
+    throw file_error(ErrorKind::kIo, file.name,
+                     "cannot be written: " + (what.empty() ? "the codec does not say why" : what));
   }
 
   void write(int count, const void* rows, OIIO::TypeDesc type) {
-    if (!out->write_scanlines(next, next + count, 0, type, rows)) fail();
+    if (!out->write_scanlines(next, next + count, 0, type, rows) || to->first_error()) fail();
     next += count;
   }
 };
 
-ImageWriter::ImageWriter(const FileRef& file, FileType type, SampleType sample, int width, int height, int channels,
-                         const Attributes& attributes)
+ImageWriter::ImageWriter(const FileRef& file, FileType type, SampleType sample, int width, int height,
+                         int channels, const Attributes& attributes)
     : impl_(std::make_unique<Impl>()) {
   require_can_hold(type, sample, file.name);
   impl_->file = file;
   impl_->sample = sample;
   impl_->out = OIIO::ImageOutput::create(info_of(type).codec);
-  if (!impl_->out) throw file_error(ErrorKind::kUnsupported, file.name, "no codec for " + std::string(name(type)));
+  if (!impl_->out)
+    throw file_error(ErrorKind::kUnsupported, file.name, "no codec for " + std::string(name(type)));
   OIIO::ImageSpec& spec = impl_->spec;
   spec = OIIO::ImageSpec(width, height, channels, to_oiio(sample));
   if (channels == 1) spec.channelnames = {"Y"};
@@ -260,6 +344,10 @@ ImageWriter::ImageWriter(const FileRef& file, FileType type, SampleType sample, 
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("DateTime", "");  // or the codec puts the clock into the file
   for (const auto& [key, value] : attributes) spec.attribute(key, value);
+  impl_->to = std::make_unique<CheckedFile>(file.path);
+  if (impl_->to->first_error()) impl_->fail();
+  OIIO::Filesystem::IOProxy* to = impl_->to.get();
+  spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &to);
   if (!impl_->out->open(file.path, spec)) impl_->fail();
 }
 
@@ -280,16 +368,19 @@ void ImageWriter::write_rows(int count, const float* rows) {
   };
   if (impl_->sample == SampleType::kUint8)
     round(reinterpret_cast<std::uint8_t*>(impl_->converted.data()), 255.f);
-  else
-    round(reinterpret_cast<std::uint16_t*>(impl_->converted.data()), 65535.f);
+  else round(reinterpret_cast<std::uint16_t*>(impl_->converted.data()), 65535.f);
   write_rows_stored(count, impl_->converted.data());
 }
 
-void ImageWriter::write_rows_stored(int count, const void* rows) { impl_->write(count, rows, impl_->spec.format); }
+void ImageWriter::write_rows_stored(int count, const void* rows) {
+  impl_->write(count, rows, impl_->spec.format);
+}
 
 void ImageWriter::close() {
   if (!impl_->out->close()) impl_->fail();
   impl_->out.reset();  // some files are complete only now
+  impl_->to->close();
+  if (impl_->to->first_error()) impl_->fail();
 }
 
 Image read_image(const FileRef& file) {
@@ -312,8 +403,9 @@ ByteImage read_ids(const FileRef& file, int width, int height) {
     throw file_error(ErrorKind::kMalformed, file.name,
                      "expected 1 channel of material ids, got " + std::to_string(reader.channels()));
   if (!reader.has_exact_samples() || reader.sample_type() != SampleType::kUint8)
-    throw file_error(ErrorKind::kMalformed, file.name,
-                     std::string("expected material ids as uint8, got ") + burnish::name(reader.sample_type()));
+    throw file_error(
+        ErrorKind::kMalformed, file.name,
+        std::string("expected material ids as uint8, got ") + burnish::name(reader.sample_type()));
   reader.require_size(width, height, "the normal map");
   ByteImage ids(width, height);
   reader.read_rows_stored(0, height, ids.data.data());
@@ -338,8 +430,8 @@ void set_codec_threads(int threads) {
 }
 
 std::string codec_version() {
-  return "OpenImageIO " + std::to_string(OIIO_VERSION_MAJOR) + "." + std::to_string(OIIO_VERSION_MINOR) + "." +
-         std::to_string(OIIO_VERSION_PATCH);
+  return "OpenImageIO " + std::to_string(OIIO_VERSION_MAJOR) + "." + std::to_string(OIIO_VERSION_MINOR) +
+         "." + std::to_string(OIIO_VERSION_PATCH);
 }
 
 }  // namespace burnish

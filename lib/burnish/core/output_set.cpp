@@ -37,10 +37,11 @@ int publish(const std::string& path) {
 void withdraw(int slot) { std::free(const_cast<char*>(g_temporaries[slot].exchange(nullptr))); }
 
 // Creates a file that did not exist, or returns an empty string with errno set.
-std::string create_unique(const fs::path& directory, const std::string& stem) {
+std::string create_unique(const fs::path& directory, const std::string& name) {
+  const std::string stem = name.substr(0, 200);  // of the 255 bytes a name may have
   for (int n = 0; n < 1000; n++) {
-    const fs::path p =
-        directory / ("." + stem + "." + std::to_string(::getpid()) + "-" + std::to_string(n) + ".burnish-tmp");
+    const fs::path p = directory / ("." + stem + "." + std::to_string(::getpid()) + "-" + std::to_string(n) +
+                                    ".burnish-tmp");
     const int fd = ::open(p.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (fd >= 0) {
       ::close(fd);
@@ -58,7 +59,18 @@ fs::path scratch_directory() {
 
 bool same_file(const std::string& a, const std::string& b) {
   struct stat sa, sb;
-  return ::stat(a.c_str(), &sa) == 0 && ::stat(b.c_str(), &sb) == 0 && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
+  return ::stat(a.c_str(), &sa) == 0 && ::stat(b.c_str(), &sb) == 0 && sa.st_dev == sb.st_dev &&
+         sa.st_ino == sb.st_ino;
+}
+
+// Whether two names lead to one place, where there is a file or not.
+bool same_place(const std::string& a, const std::string& b) {
+  if (a == "-" || b == "-") return a == b;
+  const fs::path pa(a), pb(b);
+  const auto directory = [](const fs::path& p) {
+    return p.has_parent_path() ? p.parent_path().string() : ".";
+  };
+  return pa.filename() == pb.filename() && same_file(directory(pa), directory(pb));
 }
 
 Error cannot_write(const std::string& name, int error) {
@@ -88,8 +100,7 @@ void OutputSet::protect(const std::string& input) { inputs_.push_back(input); }
 
 FileRef OutputSet::add(const std::string& target) {
   for (const Output& o : outputs_)
-    if (o.file.name == target || (target != "-" && o.file.name != "-" &&
-                                  fs::path(o.file.name).lexically_normal() == fs::path(target).lexically_normal()))
+    if (same_place(o.file.name, target))
       throw file_error(ErrorKind::kUsage, target, "is named as an output twice");
   if (target == "-") {
     const std::string path = create_unique(scratch_directory(), "burnish-stdout");
@@ -99,9 +110,11 @@ FileRef OutputSet::add(const std::string& target) {
   }
   const fs::path t(target);
   std::error_code ignored;
-  if (fs::is_directory(t, ignored)) throw file_error(ErrorKind::kIo, target, "expected a file to write, got a directory");
+  if (fs::is_directory(t, ignored))
+    throw file_error(ErrorKind::kIo, target, "expected a file to write, got a directory");
   for (const std::string& in : inputs_)
-    if (same_file(in, target)) throw file_error(ErrorKind::kUsage, target, "is an input; name another output");
+    if (same_file(in, target))
+      throw file_error(ErrorKind::kUsage, target, "is an input; name another output");
   const fs::path directory = t.has_parent_path() ? t.parent_path() : fs::path(".");
   if (fs::exists(t, ignored) && ::access(target.c_str(), W_OK) != 0) throw cannot_write(target, errno);
   const std::string path = create_unique(directory, t.filename().string());

@@ -7,6 +7,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,6 +39,12 @@ void parallel_for_chunks(std::size_t count, std::size_t grain, const Body& body)
   const std::size_t chunks = (count + grain - 1) / grain;
   tbb::parallel_for(std::size_t(0), chunks,
                     [&](std::size_t c) { body(c * grain, std::min(count, (c + 1) * grain), c); });
+}
+
+// Both, side by side where a thread is free.
+template <typename A, typename B>
+void parallel_invoke(const A& a, const B& b) {
+  tbb::parallel_invoke(a, b);
 }
 
 // The sum of body(begin, end) over chunks of `grain` indices, added in their order; T needs +=.

@@ -11,6 +11,7 @@
 #include "burnish/core/image.h"
 #include "burnish/core/image_io.h"
 #include "burnish/core/vec3.h"
+#include "burnish/normal/coding.h"
 
 namespace burnish {
 
@@ -45,13 +46,14 @@ struct IndexedMap {
 // Whether a file is an indexed normal map: an EXR with a channel `index`, or a PNG with a palette or our text chunk.
 bool is_indexed_map(const FileRef& file);
 
-// Reads what write_indexed_map writes, and foreign PNGs with a palette (as normals stored biased in PLTE, one material).
+// Reads what write_indexed_map writes, and foreign PNGs with a palette (normals stored biased in PLTE, one material; `green`
+// tells which way their y points).
 // kMalformed where an index is beyond the palette, an interval is wrong, a level has the wrong size or a normal no length.
-IndexedMap read_indexed_map(const FileRef& file);
+IndexedMap read_indexed_map(const FileRef& file, GreenAxis green = GreenAxis::kUp);
 
 // The palette alone: of an indexed map, of a file written by write_palette, or of any image N×1 of normals stored as its type
-// says (one material).
-Palette read_palette(const FileRef& file);
+// says (one material; `green` tells which way its y points).
+Palette read_palette(const FileRef& file, GreenAxis green = GreenAxis::kUp);
 
 // EXR holds all levels, PNG one: kUnsupported for a chain in a PNG and for other types. The same map gives the same bytes.
 void write_indexed_map(const FileRef& file, FileType type, const IndexedMap& map);

@@ -1,0 +1,36 @@
+// The file formats of indexed maps, one source file each; burnish/palette/indexed_map.h chooses among them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "burnish/palette/indexed_map.h"
+
+namespace burnish::detail {
+
+// What the formats carry as text beside the indices, and its checks.
+std::string materials_to_json(const std::vector<MaterialInterval>& materials);
+std::vector<MaterialInterval> materials_from_json(const std::string& json, const std::string& file_name);
+NormalSpace space_from_name(const std::string& text, const std::string& file_name);
+// kMalformed unless the intervals cover the palette in ascending order, normals have a length and indices are inside.
+// Normals that are not unit to 1e-4 are made so.
+void validate(Palette& palette, const std::string& file_name);
+void validate(IndexedMap& map, const std::string& file_name);
+
+// PNG: up to 256 entries as colour type 3, more as 16-bit grey; everything else in an iTXt chunk `burnish`.
+bool is_indexed_png(const FileRef& file);
+IndexedMap read_indexed_png(const FileRef& file, GreenAxis green);
+void write_indexed_png(const FileRef& file, const IndexedMap& map);
+// N×1 RGB of the palette alone; none where the file is no such image of ours.
+std::optional<Palette> read_palette_png(const FileRef& file);
+void write_palette_png(const FileRef& file, const Palette& palette);
+
+// EXR: one UINT channel `index`, palette and intervals in attributes.
+bool is_indexed_exr(const FileRef& file);
+IndexedMap read_indexed_exr(const FileRef& file);
+void write_indexed_exr(const FileRef& file, const IndexedMap& map);
+// N×1 float RGB with the same attributes.
+std::optional<Palette> read_palette_exr(const FileRef& file);
+void write_palette_exr(const FileRef& file, const Palette& palette);
+
+}  // namespace burnish::detail

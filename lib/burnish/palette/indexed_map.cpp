@@ -1,0 +1,161 @@
+#include "burnish/palette/indexed_map.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "burnish/core/error.h"
+#include "burnish/core/mip.h"
+#include "burnish/palette/indexed_files.h"
+
+namespace burnish {
+namespace {
+
+enum class Signature { kPng, kExr, kOther };
+
+Signature signature(const FileRef& file) {
+  std::ifstream in(file.path, std::ios::binary);
+  if (!in) throw file_error(ErrorKind::kIo, file.name, "cannot be read");
+  char head[8] = {};
+  in.read(head, sizeof head);
+  const std::string_view h(head, sizeof head);
+  return h == "\x89PNG\r\n\x1a\n" ? Signature::kPng : h.starts_with("v/1\x01") ? Signature::kExr : Signature::kOther;
+}
+
+[[noreturn]] void unsupported(const FileRef& file, FileType type) {
+  throw file_error(ErrorKind::kUnsupported, file.name,
+                   std::string("an indexed normal map is written as EXR or PNG, not ") + name(type));
+}
+
+}  // namespace
+
+const char* name(NormalSpace space) { return space == NormalSpace::kTangent ? "tangent" : "object"; }
+
+int Palette::interval_of(int index) const {
+  const auto after = std::upper_bound(materials.begin(), materials.end(), index,
+                                      [](int i, const MaterialInterval& m) { return i < m.first; });
+  return int(after - materials.begin()) - 1;
+}
+
+bool is_indexed_map(const FileRef& file) {
+  switch (signature(file)) {
+    case Signature::kPng: return detail::is_indexed_png(file);
+    case Signature::kExr: return detail::is_indexed_exr(file);
+    default: return false;
+  }
+}
+
+IndexedMap read_indexed_map(const FileRef& file, GreenAxis green) {
+  const Signature s = signature(file);
+  if (s == Signature::kPng && detail::is_indexed_png(file)) return detail::read_indexed_png(file, green);
+  if (s == Signature::kExr && detail::is_indexed_exr(file)) return detail::read_indexed_exr(file);
+  ImageReader reader(file);  // damaged, missing and foreign files say what they are
+  throw file_error(ErrorKind::kMalformed, file.name,
+                   "expected an indexed normal map (EXR with a channel 'index', or PNG with a palette), got " +
+                       std::to_string(reader.channels()) + (reader.channels() == 1 ? " channel" : " channels") + " of " +
+                       name(reader.sample_type()));
+}
+
+Palette read_palette(const FileRef& file, GreenAxis green) {
+  const Signature s = signature(file);
+  if (s == Signature::kPng && detail::is_indexed_png(file)) return detail::read_indexed_png(file, green).palette;
+  if (s == Signature::kExr && detail::is_indexed_exr(file)) return detail::read_indexed_exr(file).palette;
+  std::optional<Palette> own;
+  if (s == Signature::kPng) own = detail::read_palette_png(file);
+  if (s == Signature::kExr) own = detail::read_palette_exr(file);
+  if (own) return *own;
+  NormalCoding coding;
+  coding.green = green;
+  NormalReader reader(file, coding);
+  if (reader.height() != 1 || reader.width() > kMaxPaletteSize)
+    throw file_error(ErrorKind::kMalformed, file.name,
+                     "expected an indexed normal map or a palette of N x 1 texels, got " + std::to_string(reader.width()) +
+                         "x" + std::to_string(reader.height()));
+  Palette palette;
+  palette.normals.resize(reader.width());
+  reader.read_rows(0, 1, palette.normals.data());
+  palette.materials = {{0, 0, reader.width()}};
+  return palette;
+}
+
+void write_indexed_map(const FileRef& file, FileType type, const IndexedMap& map) {
+  if (type == FileType::kExr) return detail::write_indexed_exr(file, map);
+  if (type != FileType::kPng) unsupported(file, type);
+  if (map.levels.size() > 1)
+    throw file_error(ErrorKind::kUnsupported, file.name,
+                     "PNG holds one level, not " + std::to_string(map.levels.size()) + " (EXR holds all; --split writes one file a level)");
+  detail::write_indexed_png(file, map);
+}
+
+void write_palette(const FileRef& file, FileType type, const Palette& palette) {
+  if (type == FileType::kExr) return detail::write_palette_exr(file, palette);
+  if (type == FileType::kPng) return detail::write_palette_png(file, palette);
+  throw file_error(ErrorKind::kUnsupported, file.name, std::string("a palette is written as EXR or PNG, not ") + name(type));
+}
+
+namespace detail {
+
+std::string materials_to_json(const std::vector<MaterialInterval>& materials) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const MaterialInterval& m : materials) json.push_back({{"id", m.id}, {"first", m.first}, {"count", m.count}});
+  return json.dump();
+}
+
+std::vector<MaterialInterval> materials_from_json(const std::string& text, const std::string& file_name) {
+  std::vector<MaterialInterval> out;
+  try {
+    for (const nlohmann::json& m : nlohmann::json::parse(text))
+      out.push_back({m.at("id").get<int>(), m.at("first").get<int>(), m.at("count").get<int>()});
+  } catch (const nlohmann::json::exception&) {
+    throw file_error(ErrorKind::kMalformed, file_name, "expected a list of material intervals in burnish:materials");
+  }
+  return out;
+}
+
+NormalSpace space_from_name(const std::string& text, const std::string& file_name) {
+  if (text == "tangent") return NormalSpace::kTangent;
+  if (text == "object") return NormalSpace::kObject;
+  throw file_error(ErrorKind::kMalformed, file_name, "expected burnish:space tangent or object, got '" + text + "'");
+}
+
+void validate(Palette& palette, const std::string& file_name) {
+  const int n = int(palette.normals.size());
+  if (n < 1 || n > kMaxPaletteSize)
+    throw file_error(ErrorKind::kMalformed, file_name, "expected a palette of 1 to 65536 normals, got " + std::to_string(n));
+  int next = 0;
+  bool seen[256] = {};
+  for (const MaterialInterval& m : palette.materials) {
+    if (m.first != next || m.count < 1 || m.count > n - next || m.id < 0 || m.id > 255 || seen[m.id])
+      throw file_error(ErrorKind::kMalformed, file_name, "material intervals do not cover the palette of " +
+                                                             std::to_string(n) + " in order, each id once");
+    seen[m.id] = true;
+    next += m.count;
+  }
+  if (next != n)
+    throw file_error(ErrorKind::kMalformed, file_name,
+                     "material intervals cover " + std::to_string(next) + " of " + std::to_string(n) + " palette entries");
+  for (Vec3f& v : palette.normals) {
+    const double l = length(Vec3d(v));
+    if (!(l > 1e-3 && std::isfinite(l)))
+      throw file_error(ErrorKind::kMalformed, file_name, "expected unit normals in the palette, got one without a direction");
+    if (std::abs(l - 1) > 1e-4) v = Vec3f(Vec3d(v) / l);
+  }
+}
+
+void validate(IndexedMap& map, const std::string& file_name) {
+  validate(map.palette, file_name);
+  const std::size_t n = map.palette.normals.size();
+  for (std::size_t l = 0; l < map.levels.size(); l++) {
+    const IndexImage& level = map.levels[l];
+    if (l > 0 && (level.width != next_level_size(map.levels[l - 1].width) ||
+                  level.height != next_level_size(map.levels[l - 1].height)))
+      throw file_error(ErrorKind::kMalformed, file_name, "mip level " + std::to_string(l) + " has the wrong size");
+    const std::uint16_t most = level.data.empty() ? 0 : *std::ranges::max_element(level.data);
+    if (most >= n)
+      throw file_error(ErrorKind::kMalformed, file_name, "expected indices below " + std::to_string(n) + ", got " +
+                                                             std::to_string(most) + " in level " + std::to_string(l));
+  }
+}
+
+}  // namespace detail
+}  // namespace burnish
