@@ -102,8 +102,8 @@ class CheckedFile final : public OIIO::Filesystem::IOProxy {
  public:
   explicit CheckedFile(const std::string& path)
       : IOProxy(path, Write), file_(std::fopen(path.c_str(), "w+be")) {
-    if (!file_) return note_error(false);
-    std::setvbuf(file_, nullptr, _IOFBF, 1 << 18);
+    note_error(file_ != nullptr);
+    if (file_) std::setvbuf(file_, nullptr, _IOFBF, 1 << 18);
   }
   ~CheckedFile() override { close(); }
   CheckedFile(const CheckedFile&) = delete;
