@@ -1,0 +1,151 @@
+// Makes the inputs of the command-line tests, and looks into outputs.
+//
+//   burnish-fixture make PATTERN WIDTH HEIGHT FILE [uint8|uint16|half|float]
+//   burnish-fixture info FILE                 width height channels sample-type
+//   burnish-fixture texel FILE COLUMN ROW     samples as floats, integers divided by their maximum
+//   burnish-fixture same A B [TOLERANCE]      whether decoded samples differ by at most that; exit 1 and a
+//   line where not
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "burnish/core/error.h"
+#include "burnish/core/image_io.h"
+#include "burnish/core/vec3.h"
+
+using namespace burnish;
+
+namespace {
+
+double bumps(double x, double y) {
+  return 0.5 + 0.2 * std::sin(0.37 * x + 0.11 * y) * std::cos(0.23 * y) +
+         0.15 * std::sin(0.05 * x - 0.31 * y) + 0.1 * std::cos(0.9 * x) * std::sin(0.7 * y);
+}
+
+double noise(int x, int y, int c) {
+  std::uint32_t h =
+      std::uint32_t(x) * 0x9e3779b1u ^ std::uint32_t(y) * 0x85ebca77u ^ std::uint32_t(c) * 0xc2b2ae3du;
+  h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+  h = (h ^ (h >> 12)) * 0x297a2d39u;
+  return (h ^ (h >> 15)) / 4294967296.0;
+}
+
+struct Pattern {
+  int channels;
+  std::function<double(int x, int y, int c, int w, int h)> value;
+};
+
+double normal_component(int x, int y, int c) {
+  const double a = 2 * (bumps(x + 1, y) - bumps(x - 1, y)), b = 2 * (bumps(x, y - 1) - bumps(x, y + 1));
+  const Vec3d n = normalized(Vec3d{-a, -b, 1});
+  return 0.5 + 0.5 * (c == 0 ? n.x : c == 1 ? n.y : n.z);
+}
+
+const std::map<std::string, Pattern>& patterns() {
+  static const std::map<std::string, Pattern> table{
+      {"bumps", {1, [](int x, int y, int, int, int) { return bumps(x, y); }}},
+      {"noise", {1, [](int x, int y, int, int, int) { return noise(x, y, 0); }}},
+      {"flat", {1, [](int, int, int, int, int) { return 0.25; }}},
+      {"slope-u", {1, [](int x, int, int, int w, int) { return double(x) / w; }}},
+      {"slope-v", {1, [](int, int y, int, int, int h) { return 1 - double(y) / h; }}},
+      {"nan",
+       {1,
+        [](int x, int y, int, int w, int h) {
+          return x == w / 2 && y == h / 2 ? std::numeric_limits<double>::quiet_NaN() : bumps(x, y);
+        }}},
+      // 0 where column and row are those of `nan`, and in a corner.
+      {"mask",
+       {1,
+        [](int x, int y, int, int w, int h) { return (x == w / 2 && y == h / 2) || x + y < 3 ? 0.0 : 1.0; }}},
+      {"empty-mask", {1, [](int, int, int, int, int) { return 0.0; }}},
+      {"grey", {3, [](int x, int y, int, int, int) { return bumps(x, y); }}},
+      {"colours", {3, [](int x, int y, int c, int, int) { return bumps(x + 7 * c, y); }}},
+      {"normals", {3, [](int x, int y, int c, int, int) { return normal_component(x, y, c); }}},
+      {"rgba", {4, [](int x, int y, int c, int, int) { return noise(x, y, c); }}},
+      // Material ids 0 … 3 in vertical stripes, for 8 bits.
+      {"ids", {1, [](int x, int, int, int w, int) { return (4 * x / w) / 255.0; }}},
+  };
+  return table;
+}
+
+SampleType sample_named(const std::string& word) {
+  for (SampleType s : {SampleType::kUint8, SampleType::kUint16, SampleType::kHalf, SampleType::kFloat})
+    if (word == name(s)) return s;
+  throw std::runtime_error("no sample type " + word);
+}
+
+int make(const std::vector<std::string>& a) {
+  const Pattern& pattern = patterns().at(a.at(1));
+  const int width = std::stoi(a.at(2)), height = std::stoi(a.at(3));
+  const FileType type = file_type_of(a.at(4));
+  const SampleType sample = a.size() > 5 ? sample_named(a[5]) : default_sample_type(type);
+  ImageWriter writer(a[4], type, sample, width, height, pattern.channels);
+  std::vector<float> row(std::size_t(width) * pattern.channels);
+  for (int y = 0; y < height; y++) {
+    for (int x = 0; x < width; x++)
+      for (int c = 0; c < pattern.channels; c++)
+        row[std::size_t(x) * pattern.channels + c] = float(pattern.value(x, y, c, width, height));
+    writer.write_rows(1, row.data());
+  }
+  writer.close();
+  return 0;
+}
+
+int info(const std::vector<std::string>& a) {
+  const ImageReader reader(a.at(1));
+  std::printf("%d %d %d %s\n", reader.width(), reader.height(), reader.channels(),
+              name(reader.sample_type()));
+  return 0;
+}
+
+int texel(const std::vector<std::string>& a) {
+  const Image image = read_image(a.at(1));
+  const float* t = image.at(std::stoi(a.at(2)), std::stoi(a.at(3)));
+  for (int c = 0; c < image.channels; c++) std::printf("%s%.6g", c ? " " : "", t[c]);
+  std::printf("\n");
+  return 0;
+}
+
+int same(const std::vector<std::string>& a) {
+  const Image one = read_image(a.at(1)), two = read_image(a.at(2));
+  const double tolerance = a.size() > 3 ? std::stod(a[3]) : 0;
+  if (one.width != two.width || one.height != two.height || one.channels != two.channels) {
+    std::printf("%s is %dx%dx%d, %s is %dx%dx%d\n", a[1].c_str(), one.width, one.height, one.channels,
+                a[2].c_str(), two.width, two.height, two.channels);
+    return 1;
+  }
+  double worst = 0;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < one.data.size(); i++) {
+    const double d = std::abs(double(one.data[i]) - two.data[i]);
+    if (!(d <= worst)) worst = d, at = i;
+  }
+  if (worst <= tolerance) return 0;
+  const std::size_t t = at / one.channels;
+  std::printf("%s and %s differ by %g at column %zu, row %zu, channel %zu\n", a[1].c_str(), a[2].c_str(),
+              worst, t % one.width, t / one.width, at % one.channels);
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> a(argv + 1, argv + argc);
+  try {
+    if (!a.empty() && a[0] == "make") return make(a);
+    if (!a.empty() && a[0] == "info") return info(a);
+    if (!a.empty() && a[0] == "texel") return texel(a);
+    if (!a.empty() && a[0] == "same") return same(a);
+    std::fprintf(stderr, "burnish-fixture: expected make, info, texel or same\n");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "burnish-fixture: %s\n", error.what());
+  }
+  return 2;
+}
