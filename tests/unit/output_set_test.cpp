@@ -68,6 +68,32 @@ TEST(OutputSet, RefusesAnInputByAnyOfItsNames) {
   EXPECT_EQ(bytes_of(dir / "in.png"), "input");
 }
 
+TEST(OutputSet, RefusesAnInputNamedAfterTheOutput) {
+  const ScratchDir dir;
+  write_bytes(dir / "in.png", "input");
+  OutputSet set;
+  set.add(dir / "in.png");
+  EXPECT_ERROR(set.protect(dir.path() + "/./in.png"), ErrorKind::kUsage, "in.png");
+}
+
+// A depfile must not be newer than what it speaks of, nor there without it.
+TEST(OutputSet, RanksDecideWhatIsPutIntoPlaceFirst) {
+  const ScratchDir dir;
+  {
+    OutputSet set;
+    set.add(dir / "last", 2);
+    set.add(dir / "middle", 1);
+    set.add(dir / "first");
+    set.add(dir / "blocked", 1);
+    std::filesystem::create_directory(dir / "blocked");
+    EXPECT_ERROR(set.commit(), ErrorKind::kIo, "blocked");
+  }
+  EXPECT_TRUE(std::filesystem::exists(dir / "first"));
+  EXPECT_TRUE(std::filesystem::exists(dir / "middle"));
+  EXPECT_FALSE(std::filesystem::exists(dir / "last"));
+  EXPECT_EQ(dir.entries(), 3u);
+}
+
 TEST(OutputSet, RefusesOneNameTwice) {
   const ScratchDir dir;
   std::filesystem::create_directory(dir / "sub");

@@ -3,12 +3,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace burnish::cli {
 
-ProgressBar::ProgressBar(std::string label, bool quiet)
-    : label_(std::move(label)), enabled_(!quiet && ::isatty(STDERR_FILENO)), last_(std::chrono::steady_clock::now()) {}
+ProgressBar::ProgressBar(std::FILE* stream, std::string label, bool quiet)
+    : stream_(stream), label_(std::move(label)), enabled_(!quiet && ::isatty(::fileno(stream))), last_(std::chrono::steady_clock::now()) {}
 
 void ProgressBar::update(double fraction) {
   const auto now = std::chrono::steady_clock::now();
@@ -17,13 +16,13 @@ void ProgressBar::update(double fraction) {
   drawn_ = true;
   constexpr int kWidth = 30;
   const int full = int(std::clamp(fraction, 0.0, 1.0) * kWidth);
-  std::fprintf(stderr, "\r%s [%.*s%*s] %3d%%", label_.c_str(), full, "##############################", kWidth - full, "",
+  std::fprintf(stream_, "\r%s [%.*s%*s] %3d%%", label_.c_str(), full, "##############################", kWidth - full, "",
                int(fraction * 100));
-  std::fflush(stderr);
+  std::fflush(stream_);
 }
 
 void ProgressBar::clear() {
-  if (drawn_) std::fprintf(stderr, "\r\033[K");
+  if (drawn_) std::fprintf(stream_, "\r\033[K");
   drawn_ = false;
 }
 

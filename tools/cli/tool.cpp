@@ -1,5 +1,6 @@
 #include "cli/tool.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -60,7 +61,7 @@ Tool::Tool(const ToolText& text) : text_(text), app_(text.summary, text.name) {
   });
   app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   app_.add_flag("-q,--quiet", quiet_, "Nothing on standard error but errors")->group("Common");
-  app_.add_flag("-v,--verbose", verbose_, "Adds the full command line to an error")->group("Common");
+  app_.add_flag("-v,--verbose", verbose_, "Adds the full command line to an error, and what the codecs say")->group("Common");
   app_.add_option("-j,--threads", threads_, "Threads; 0 uses all. The output never depends on it")
       ->check(CLI::Range(0, 4096))
       ->type_name("N")
@@ -71,11 +72,26 @@ Tool::Tool(const ToolText& text) : text_(text), app_(text.summary, text.name) {
   app_.add_option("--depfile", depfile_, "Write what was read, in the syntax of Make")->type_name("FILE")->group("Common");
 }
 
+// Codecs print what they make of a damaged file, libpng with no way to stop it. While a tool works, standard error leads nowhere
+// and the tool's own lines go to a copy of it.
+void Tool::silence_codecs() {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers report there
+  const int copy = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
+  std::FILE* messages = copy < 0 ? nullptr : ::fdopen(copy, "w");
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (messages && nowhere >= 0 && ::dup2(nowhere, STDERR_FILENO) >= 0) {
+    std::setvbuf(messages, nullptr, _IONBF, 0);
+    messages_ = messages;
+  }
+  if (nowhere >= 0) ::close(nowhere);
+#endif
+}
+
 int Tool::fail(int code, const std::string& message) {
   if (bar_) bar_->clear();
   std::string text = text_.name + ": error: " + one_line(message) + "\n";
   if (verbose_) text += text_.name + ": command: " + command_ + "\n";
-  std::fputs(text.c_str(), stderr);
+  std::fputs(text.c_str(), messages_);
   return code;
 }
 
@@ -103,7 +119,7 @@ FileRef Tool::write(const std::string& path) {
 void Tool::warn(const std::string& message) {
   if (quiet_) return;
   if (bar_) bar_->clear();
-  std::fputs((text_.name + ": warning: " + one_line(message) + "\n").c_str(), stderr);
+  std::fputs((text_.name + ": warning: " + one_line(message) + "\n").c_str(), messages_);
 }
 
 Progress Tool::progress() {
@@ -121,12 +137,12 @@ void Tool::finish(const Json& stats, double seconds) {
   if (!report_.empty()) {
     const Json report{{"tool", text_.name}, {"version", BURNISH_VERSION}, {"command", arguments_}, {"inputs", inputs_},
                       {"outputs", outputs_}, {"seconds", seconds},        {"stats", stats}};
-    write_text(output_set_->add(report_), report.dump(2) + "\n");
+    write_text(report_file_, report.dump(2) + "\n");
   }
   if (!depfile_.empty()) {
     std::vector<std::string> files = inputs_;
     std::erase(files, "-");
-    write_text(output_set_->add(depfile_), depfile_text(first_output, files));
+    write_text(depfile_file_, depfile_text(first_output, files));
   }
   output_set_->commit();
 }
@@ -147,8 +163,12 @@ int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like any other
   for (int s : {SIGINT, SIGTERM, SIGHUP}) std::signal(s, remove_temporaries_and_die);
   try {
+    if (!verbose_) silence_codecs();
     output_set_.emplace();
-    bar_.emplace(text_.name, quiet_);
+    bar_.emplace(messages_, text_.name, quiet_);
+    // Reserved before any work, put into place after what they speak of.
+    if (!report_.empty()) report_file_ = output_set_->add(report_, 1);
+    if (!depfile_.empty()) depfile_file_ = output_set_->add(depfile_, 2);
     const ThreadLimit limit(threads_);
     set_codec_threads(threads_);
     const auto start = std::chrono::steady_clock::now();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <deque>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -49,6 +50,7 @@ class Tool {
 
  private:
   int fail(int code, const std::string& message);
+  void silence_codecs();
   void note_input(const std::string& path);
   void finish(const Json& stats, double seconds);
   void write_text(const FileRef& file, const std::string& text);
@@ -58,6 +60,8 @@ class Tool {
   bool quiet_ = false, verbose_ = false;
   int threads_ = 0;
   std::string report_, depfile_;
+  FileRef report_file_, depfile_file_;
+  std::FILE* messages_ = stderr;  // where this tool's own lines go
   std::string command_;
   std::vector<std::string> arguments_;
   std::vector<std::string> inputs_, outputs_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -78,6 +79,10 @@ Error cannot_write(const std::string& name, int error) {
                                    ": cannot be written: " + std::strerror(error));
 }
 
+Error is_an_input(const std::string& name) {
+  return file_error(ErrorKind::kUsage, name, "is an input; name another output");
+}
+
 void copy_to_stdout(const std::string& path) {
   std::FILE* in = std::fopen(path.c_str(), "rb");
   if (!in) throw cannot_write("-", errno);
@@ -96,16 +101,21 @@ void copy_to_stdout(const std::string& path) {
 
 }  // namespace
 
-void OutputSet::protect(const std::string& input) { inputs_.push_back(input); }
+void OutputSet::protect(const std::string& input) {
+  inputs_.push_back(input);
+  for (const Output& o : outputs_)
+    if (o.file.name != "-" && same_file(input, o.file.name)) throw is_an_input(o.file.name);
+}
 
-FileRef OutputSet::add(const std::string& target) {
+FileRef OutputSet::add(const std::string& target, int rank) {
   for (const Output& o : outputs_)
     if (same_place(o.file.name, target))
-      throw file_error(ErrorKind::kUsage, target, "is named as an output twice");
+      throw Error(ErrorKind::kUsage, (target == "-" ? std::string("standard output") : "'" + target + "'") +
+                                         ": is named as an output twice");
   if (target == "-") {
     const std::string path = create_unique(scratch_directory(), "burnish-stdout");
     if (path.empty()) throw cannot_write(scratch_directory().string(), errno);
-    outputs_.push_back({FileRef(path, "-"), publish(path)});
+    outputs_.push_back({FileRef(path, "-"), publish(path), rank});
     return outputs_.back().file;
   }
   const fs::path t(target);
@@ -113,17 +123,18 @@ FileRef OutputSet::add(const std::string& target) {
   if (fs::is_directory(t, ignored))
     throw file_error(ErrorKind::kIo, target, "expected a file to write, got a directory");
   for (const std::string& in : inputs_)
-    if (same_file(in, target))
-      throw file_error(ErrorKind::kUsage, target, "is an input; name another output");
+    if (same_file(in, target)) throw is_an_input(target);
   const fs::path directory = t.has_parent_path() ? t.parent_path() : fs::path(".");
   if (fs::exists(t, ignored) && ::access(target.c_str(), W_OK) != 0) throw cannot_write(target, errno);
   const std::string path = create_unique(directory, t.filename().string());
   if (path.empty()) throw cannot_write(target, errno);
-  outputs_.push_back({FileRef(path, target), publish(path)});
+  outputs_.push_back({FileRef(path, target), publish(path), rank});
   return outputs_.back().file;
 }
 
 void OutputSet::commit() {
+  // Standard output first: a closed pipe is the failure that a rename cannot undo.
+  std::ranges::stable_sort(outputs_, {}, [](const Output& o) { return o.file.name == "-" ? INT_MIN : o.rank; });
   for (const Output& o : outputs_) {  // what did not reach the disk is found before anything is replaced
     const int fd = ::open(o.file.path.c_str(), O_RDONLY | O_CLOEXEC);
     if (fd < 0) throw cannot_write(o.file.name, errno);

@@ -1,7 +1,7 @@
 // Outputs that appear all together and whole, or not at all.
 //
 // Each is written to a temporary beside its target, so that the final rename stays within one file system, under a name that
-// no build's `*.png` matches; commit() renames them in the order they were added. Destroyed without a commit, the set removes
+// no build's `*.png` matches; commit() renames them in the order of their ranks, then in that they were added. Destroyed without a commit, the set removes
 // what it wrote and every old file is as it was.
 #pragma once
 
@@ -19,13 +19,13 @@ class OutputSet {
   OutputSet(const OutputSet&) = delete;
   OutputSet& operator=(const OutputSet&) = delete;
 
-  // Registers a file that is read, so that no output may take its place.
+  // Registers a file that is read, so that no output may take its place. kUsage where one already would.
   void protect(const std::string& input);
   // Reserves a temporary for the target; "-" is standard output, copied there by commit().
   // kIo where the directory is missing or not writable or the target is a directory; kUsage where it is an input or is
   // written twice.
-  FileRef add(const std::string& target);
-  // Flushes, then renames all into place. kIo on failure.
+  FileRef add(const std::string& target, int rank = 0);
+  // Copies what goes to standard output, then renames the others into place. kIo on failure.
   void commit();
   bool empty() const { return outputs_.empty(); }
 
@@ -35,7 +35,7 @@ class OutputSet {
  private:
   struct Output {
     FileRef file;
-    int slot;
+    int slot, rank;
   };
   std::vector<Output> outputs_;
   std::vector<std::string> inputs_;
