@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Paths a signal handler may unlink: slots of a fixed table, each published by one atomic pointer.
-constexpr int kSlots = 256;
+constexpr int kSlots = 4096;  // a turn of frames with their auxiliary images
 std::atomic<const char*> g_temporaries[kSlots];
 
 int publish(const std::string& path) {

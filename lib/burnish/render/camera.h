@@ -1,7 +1,7 @@
 // Pixels to rays, with their derivatives.
 //
-// The camera looks from `position` towards `look_at`; `up` points to the picture's top. Pixel coordinates run right and down
-// from the picture's upper left corner, so that pixel (i, j) has its centre at (i + ½, j + ½).
+// The camera looks from `position` towards `look_at`; `up` points to the picture's top. Pixel coordinates run
+// right and down from the picture's upper left corner, so that pixel (i, j) has its centre at (i + ½, j + ½).
 #pragma once
 
 #include "burnish/core/vec3.h"
@@ -17,7 +17,8 @@ struct CameraSettings {
   double fov_deg = 40;  // perspective: angle between the picture's top and bottom
 };
 
-// The point at parameter t is origin + t · direction; the direction is not a unit vector. d…_dx, d…_dy: change per pixel.
+// The point at parameter t is origin + t · direction; the direction is not a unit vector. d…_dx, d…_dy:
+// change per pixel.
 struct Ray {
   Vec3d origin, direction;
   Vec3d dorigin_dx, dorigin_dy, ddirection_dx, ddirection_dy;
@@ -37,7 +38,8 @@ class Camera {
  private:
   bool perspective_;
   Vec3d position_, forward_;
-  Vec3d step_x_, step_y_;  // change per pixel: of the origin, or of the direction where the view is perspective
+  Vec3d step_x_,
+      step_y_;  // change per pixel: of the origin, or of the direction where the view is perspective
   double half_width_px_, half_height_px_;
 };
 

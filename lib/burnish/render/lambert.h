@@ -11,7 +11,9 @@ struct Lambert {
   Vec3d ambient{1, 1, 1}, diffuse{1, 1, 1};
 
   // Share of the light's colour that leaves towards the viewer; unit vectors of one space.
-  Vec3d reflect(Vec3d n, Vec3d to_light, Vec3d /*to_viewer*/) const { return diffuse * std::max(0.0, dot(n, to_light)); }
+  Vec3d reflect(Vec3d n, Vec3d to_light, Vec3d /*to_viewer*/) const {
+    return diffuse * std::max(0.0, dot(n, to_light));
+  }
 };
 
 }  // namespace burnish

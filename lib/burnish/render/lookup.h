@@ -29,19 +29,18 @@ inline int wrapped(double i, int n, bool repeat) {
   return std::min(int(r), n - 1);
 }
 
-// The texel whose square holds the point; its left and top sides belong to it. The map's own right and bottom sides belong to its last
-// texels, so that a quad's last column is not its first.
+// The texel whose square holds the point; its left and top sides belong to it.
 inline TexelPosition nearest_texel(double u, double v, int width, int height, Addressing addressing) {
-  const double x = u * width, y = (1 - v) * height;
-  return {wrapped(std::floor(u == 1 ? width - 0.5 : x), width, true),
-          wrapped(std::floor(v == 0 ? height - 0.5 : y), height, addressing.repeat_v)};
+  return {wrapped(std::floor(u * width), width, true),
+          wrapped(std::floor((1 - v) * height), height, addressing.repeat_v)};
 }
 
 inline BilinearTaps bilinear_taps(double u, double v, int width, int height, Addressing addressing) {
   const double x = u * width - 0.5, y = (1 - v) * height - 0.5;
   const double x0 = std::floor(x), y0 = std::floor(y), fx = x - x0, fy = y - y0;
   const int left = wrapped(x0, width, true), right = wrapped(x0 + 1, width, true);
-  const int top = wrapped(y0, height, addressing.repeat_v), bottom = wrapped(y0 + 1, height, addressing.repeat_v);
+  const int top = wrapped(y0, height, addressing.repeat_v),
+            bottom = wrapped(y0 + 1, height, addressing.repeat_v);
   return {{{left, top}, {right, top}, {left, bottom}, {right, bottom}},
           {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy}};
 }

@@ -1,6 +1,7 @@
 // The surfaces that maps are laid on, in object space: where a ray meets them, and what is known there.
 //
-// quad    in the plane z = 0 around the origin, size.x by size.y; u along +x, v along +y, normal +z; flat: the tangent frame is
+// quad    in the plane z = 0 around the origin, size.x by size.y; u along +x, v along +y, normal +z; flat:
+// the tangent frame is
 //         that of object space everywhere.
 // sphere  around the origin; latitude and longitude, v up (+y), u = ½ facing +z and growing towards +x:
 //         p = r·(sin λ cos φ, sin φ, cos λ cos φ), u = ½ + λ/2π, v = ½ + φ/π.
@@ -28,12 +29,13 @@ struct Surface {
 };
 
 struct SurfacePoint {
-  double t;                       // of the ray
-  Vec3d position;                 // object space
-  Vec3d tangent, bitangent;       // along +u and +v; unit, with the normal a right-handed frame
-  Vec3d normal;                   // geometric, outwards
-  double u, v;                    // texture coordinates
-  double du_dx, dv_dx, du_dy, dv_dy;  // change per pixel, on the tangent plane (Igehy, "Tracing ray differentials", 1999)
+  double t;                  // of the ray
+  Vec3d position;            // object space
+  Vec3d tangent, bitangent;  // along +u and +v; unit, with the normal a right-handed frame
+  Vec3d normal;              // geometric, outwards
+  double u, v;               // texture coordinates
+  double du_dx, dv_dx, du_dy,
+      dv_dy;  // change per pixel, on the tangent plane (Igehy, "Tracing ray differentials", 1999)
 
   Vec3d tangent_to_object(Vec3d n) const { return tangent * n.x + bitangent * n.y + normal * n.z; }
 };

@@ -1,6 +1,7 @@
 // A TOML file as typed values that know their key and line, so that every refusal names both.
 //
-// Each accessor checks type and range, takes the fallback where the key is absent, and throws kMalformed where there is none:
+// Each accessor checks type and range, takes the fallback where the key is absent, and throws kMalformed
+// where there is none:
 //   'scene.toml': line 12: 'camera.fov_deg': expected an angle above 0 and below 180, got 200
 // A key that no accessor asked for is unknown: refuse_unknown() names the first of them.
 #pragma once
@@ -24,8 +25,8 @@ struct NumberRange {
 };
 
 inline constexpr double kAboveZero = std::numeric_limits<double>::min();
-inline constexpr NumberRange kAnyNumber{-std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
-                                        "a finite number"};
+inline constexpr NumberRange kAnyNumber{-std::numeric_limits<double>::max(),
+                                        std::numeric_limits<double>::max(), "a finite number"};
 inline constexpr NumberRange kPositive{kAboveZero, std::numeric_limits<double>::max(), "a number above 0"};
 inline constexpr NumberRange kNotNegative{0, std::numeric_limits<double>::max(), "a number of at least 0"};
 
@@ -44,14 +45,16 @@ class TomlTable {
   std::vector<double> numbers(const std::string& key, std::size_t count, const NumberRange& range) const;
   // One of several words.
   template <typename T>
-  T choice(const std::string& key, const std::vector<std::pair<std::string, T>>& words, std::optional<T> fallback = {}) const;
+  T choice(const std::string& key, const std::vector<std::pair<std::string, T>>& words,
+           std::optional<T> fallback = {}) const;
   // [key]; an empty table where it is absent.
   TomlTable table(const std::string& key) const;
   // [[key]]; none where it is absent.
   std::vector<TomlTable> tables(const std::string& key) const;
 
   void refuse_unknown() const;
-  // kMalformed: 'file': line n: 'key': message. The line is the key's, or the table's where the key is absent.
+  // kMalformed: 'file': line n: 'key': message. The line is the key's, or the table's where the key is
+  // absent.
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
 
  private:

@@ -1,5 +1,5 @@
-// Where an object stands in the world: a rotation, then a translation. Sizes belong to the surfaces, so that a normal turns
-// as any direction does and the inverse is exact.
+// Where an object stands in the world: a rotation, then a translation. Sizes belong to the surfaces, so that
+// a normal turns as any direction does and the inverse is exact.
 #pragma once
 
 #include <cmath>

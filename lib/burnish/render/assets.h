@@ -1,0 +1,30 @@
+// What a scene's files hold, in memory: for each object its normals, its indexed map and which material
+// serves which texel.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "burnish/palette/indexed_map.h"
+#include "burnish/render/scene.h"
+
+namespace burnish {
+
+struct ObjectAssets {
+  // The unquantized normal map; where the object has none, the indexed map's base level through its palette.
+  int width = 0, height = 0;
+  std::vector<Vec3f> normals;
+  NormalSpace space = NormalSpace::kTangent;
+  std::size_t invalid_texels = 0;  // of the normal map; they became (0,0,1)
+
+  std::optional<IndexedMap> indexed;
+  std::vector<const Material*> interval_materials;  // of each interval of the palette; into Scene::materials
+  const Material* only_material = nullptr;          // serves all texels; null where intervals decide
+};
+
+// One entry an object. The scene must outlive the result.
+// Errors: of the files; kMalformed where an interval's id has no material, or materials have ids and no
+// indexed map tells them apart.
+std::vector<ObjectAssets> load_assets(const Scene& scene);
+
+}  // namespace burnish

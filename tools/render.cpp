@@ -1,0 +1,170 @@
+// burnish-render: the reference renderer, and the check of a path against its analytic twin.
+#include <cmath>
+#include <filesystem>
+
+#include "burnish/core/error.h"
+#include "burnish/render/frame.h"
+#include "burnish/render/frame_names.h"
+#include "burnish/render/picture.h"
+#include "burnish/render/validate.h"
+#include "cli/exit_code.h"
+#include "cli/options.h"
+#include "cli/tool.h"
+
+using namespace burnish;
+using namespace burnish::cli;
+
+namespace {
+
+struct Options {
+  std::string scene, path, aovs, report_dir;
+  ImageOutput output;
+  int frames = 1;
+  bool validate = false;
+};
+
+Error usage(const std::string& message) { return Error(ErrorKind::kUsage, message); }
+
+// What CLI11 cannot say: which options go together.
+void check(const Options& o, const CLI::App& app) {
+  if (!o.validate) {
+    if (o.output.path.empty()) throw usage("-o is required (or --validate with --report-dir)");
+    if (!o.report_dir.empty()) throw usage("--report-dir goes with --validate");
+    return;
+  }
+  if (o.report_dir.empty()) throw usage("--validate needs --report-dir");
+  for (const char* flag : {"--output", "--format", "--output-type", "--frames", "--aov"})
+    if (app.get_option(flag)->count()) throw usage(std::string(flag) + " does not go with --validate");
+}
+
+// A picture for eyes or linear values, and nothing else.
+FileType picture_type(const Options& o) {
+  const FileType type = o.output.type();
+  if (type != FileType::kPng && type != FileType::kExr)
+    throw Error(ErrorKind::kUnsupported,
+                "pictures are PNG (sRGB) or EXR (linear), not " + std::string(name(type)));
+  return type;
+}
+
+Scene read_inputs(Tool& tool, const Options& o) {
+  Scene scene = read_scene(tool.read(o.scene));
+  if (!o.path.empty()) scene.path = render_path(o.path, ErrorKind::kUsage);
+  for (const std::string& file : scene.files()) tool.also_read(file);
+  return scene;
+}
+
+std::vector<ObjectAssets> load(Tool& tool, const Scene& scene) {
+  std::vector<ObjectAssets> assets = load_assets(scene);
+  for (std::size_t i = 0; i < assets.size(); i++)
+    if (assets[i].invalid_texels)
+      tool.warn("'" + scene.objects[i].normal_map + "': " + std::to_string(assets[i].invalid_texels) +
+                " texels hold no direction and were taken for (0,0,1)");
+  return assets;
+}
+
+Json render(Tool& tool, const Options& o) {
+  const FileType type = picture_type(o);
+  const SampleType sample = o.output.sample();
+  const std::vector<Aov> aovs = o.aovs.empty() ? std::vector<Aov>{} : parse_aovs(o.aovs);
+  const FrameNames names(o.output.path, o.frames, aovs);
+  const Scene scene = read_inputs(tool, o);
+  std::vector<std::vector<FileRef>> files(o.frames);
+  for (int i = 0; i < o.frames; i++)
+    for (const std::string& file : names.of_frame(i)) files[i].push_back(tool.write(file));
+
+  const std::vector<ObjectAssets> assets = load(tool, scene);
+  const Progress progress = tool.progress();
+  double table_ms = 0;
+  for (int i = 0; i < o.frames; i++) {
+    const FrameSettings settings{scene.path, scene.samples, 2 * kPi * i / o.frames, aovs};
+    const Frame frame = render_frame(scene, assets, settings,
+                                     [&](double done) { report_progress(progress, (i + done) / o.frames); });
+    table_ms += frame.table_ms / o.frames;
+    write_image(
+        files[i][0], type, sample,
+        type == FileType::kPng ? srgb_picture(frame.colour, scene.image.exposure_stops) : frame.colour);
+    for (std::size_t a = 0; a < aovs.size(); a++)
+      write_image(files[i][a + 1], FileType::kExr, SampleType::kFloat, frame.aovs[a]);
+  }
+  Json stats{{"path", name(scene.path)},
+             {"width", scene.image.width},
+             {"height", scene.image.height},
+             {"frames", o.frames}};
+  if (scene.path == RenderPath::kPalette) stats["table_ms"] = table_ms;
+  return stats;
+}
+
+// JSON has no infinity: the PSNR of equal pictures is null.
+Json decibels(double psnr_db) { return std::isfinite(psnr_db) ? Json(psnr_db) : Json(); }
+
+Json validate(Tool& tool, const Options& o, std::filesystem::path& created) {
+  const Scene scene = read_inputs(tool, o);
+  const std::filesystem::path dir(o.report_dir);
+  std::error_code error;
+  if (std::filesystem::create_directory(dir, error)) created = dir;
+  if (error) throw file_error(ErrorKind::kIo, o.report_dir, "cannot be made a directory: " + error.message());
+  const auto file = [&](const std::string& leaf) { return tool.write((dir / leaf).string()); };
+  ValidationFiles files;
+  files.picture = file("picture.png");
+  files.twin = file("twin.png");
+  files.difference = file("difference.png");
+  files.json = file("report.json");
+  files.html = file("report.html");
+  const Validation v = burnish::validate(scene, load(tool, scene), scene.path, files, tool.progress());
+  if (!v.passed()) tool.threshold_missed("'" + scene.name + "': " + v.misses());
+  return {{"path", name(v.path)},
+          {"width", scene.image.width},
+          {"height", scene.image.height},
+          {"pixels", v.metrics.pixels},
+          {"psnr_db", decibels(v.metrics.psnr_db)},
+          {"rmse", v.metrics.rmse},
+          {"max_abs", v.metrics.max_abs},
+          {"p95_abs", v.metrics.p95_abs},
+          {"passed", v.passed()},
+          {"table_ms", v.table_ms}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tool tool({"burnish-render",
+             "Reference renderer: a scene to a picture, or a path held against its analytic twin.",
+             "  burnish-render rocks.toml -o rocks.png\n"
+             "  burnish-render rocks.toml --frames 36 -o turn/rocks_%04d.png\n"
+             "  burnish-render --validate rocks.toml --report-dir report"});
+  CLI::App& app = tool.app();
+  Options o;
+  app.add_option("SCENE", o.scene, "Scene in TOML (keys: samples/README.md); '-' is standard input")
+      ->required();
+  o.output.add_to(app, true);
+  app.get_option("--output")
+      ->required(false)
+      ->description(
+          "Picture to write: sRGB in PNG, linear in EXR; '-' is standard output; of several frames a pattern "
+          "with %d or %04d");
+  app.add_option("--path", o.path, "Path to render by, instead of the scene's: analytic or palette")
+      ->type_name("NAME");
+  app.add_option("--frames", o.frames, "Pictures of a full turn of the lights, numbered from 0 (default 1)")
+      ->check(CLI::Range(1, kMostFrameFiles))
+      ->type_name("N");
+  app.add_option("--aov", o.aovs,
+                 "Auxiliary images beside the picture, as OUT.NAME.exr: normal, position, uv, depth, index, "
+                 "material, level")
+      ->type_name("NAME,…");
+  app.add_flag("--validate", o.validate,
+               "Hold the scene's path against its analytic twin; exit 10 if a tolerance is not met");
+  app.add_option("--report-dir", o.report_dir,
+                 "Where --validate writes picture.png, twin.png, difference.png, report.json and "
+                 "report.html; made if missing")
+      ->type_name("DIR");
+
+  std::filesystem::path created;
+  const int code = tool.run(argc, argv, [&]() -> Json {
+    check(o, app);
+    return o.validate ? validate(tool, o, created) : render(tool, o);
+  });
+  std::error_code ignored;
+  if (code != kOk && code != kThreshold && !created.empty())
+    std::filesystem::remove(created, ignored);  // empty by now
+  return code;
+}
