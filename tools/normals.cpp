@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   std::string mask;
 
   app.add_option("HEIGHT", input, "Displacement map; '-' is standard input")->required();
-  output.add_to(app, true);
+  output.add_to(app);
   app.add_option_function<std::string>(
          "--height", [&](const std::string& t) { options.height = parse_length("--height", t); },
          "Displacement of the value 1.0, in the units of --size: 2m, 10cm, 5mm or a number (default 1)")

@@ -21,24 +21,42 @@ void add_normal_coding(CLI::App& app, NormalCoding& coding, bool with_channels) 
         ->group("Normal map");
 }
 
-void ImageOutput::add_to(CLI::App& app, bool standard_output) {
-  app.add_option("-o,--output", path, standard_output ? "File to write; '-' is standard output" : "File to write")
-      ->required()
-      ->type_name("FILE");
+namespace {
+
+// The options of both kinds of image that are written.
+void add_output(CLI::App& app, std::string& path, std::string& format, std::string& output_type) {
+  app.add_option("-o,--output", path, "File to write; '-' is standard output")->required()->type_name("FILE");
   app.add_option("-d,--format", format, "Samples: uint8, uint16, half or float; default by the file's type")
       ->check(CLI::IsMember({"uint8", "uint16", "half", "float"}))
       ->type_name("F");
-  if (standard_output)
-    app.add_option("--output-type", output_type, "Type of what goes to standard output")
-        ->check(CLI::IsMember({"png", "exr", "tiff"}))
-        ->type_name("png|exr|tiff");
+  app.add_option("--output-type", output_type, "Type of what goes to standard output")
+      ->check(CLI::IsMember({"png", "exr", "tiff"}))
+      ->type_name("png|exr|tiff");
 }
 
-FileType ImageOutput::type() const {
-  if (!output_type.empty()) return file_type_of("x." + output_type);
-  if (path == "-") throw Error(ErrorKind::kUsage, "standard output needs --output-type png, exr or tiff");
-  return file_type_of(path);
+FileType type_of_output(const std::string& path, const std::string& output_type) {
+  if (path != "-") return file_type_of(path);
+  if (output_type.empty()) throw Error(ErrorKind::kUsage, "standard output needs --output-type png, exr or tiff");
+  return file_type_of("x." + output_type);
 }
+
+FileType require_indexed(FileType type, const std::string& path) {
+  if (type == FileType::kExr || type == FileType::kPng) return type;
+  throw file_error(ErrorKind::kUnsupported, path,
+                   std::string("an indexed normal map or palette is written as EXR or PNG, not ") + name(type));
+}
+
+}  // namespace
+
+void ImageOutput::add_to(CLI::App& app) { add_output(app, path, format, output_type); }
+
+FileType ImageOutput::type() const { return type_of_output(path, output_type); }
+
+void IndexedOutput::add_to(CLI::App& app) { add_output(app, path, format, output_type); }
+
+FileType IndexedOutput::type() const { return require_indexed(type_of_output(path, output_type), path); }
+
+FileType indexed_file_type(const std::string& path) { return require_indexed(file_type_of(path), path); }
 
 SampleType ImageOutput::sample() const {
   SampleType sample = default_sample_type(type());

@@ -41,11 +41,23 @@ struct ImageOutput {
   std::string path, output_type;
   std::string format;
 
-  void add_to(CLI::App& app, bool standard_output);
+  void add_to(CLI::App& app);
   // By --output-type for standard output, otherwise by the extension. Throws as file_type_of.
   FileType type() const;
   // By -d, otherwise the default of the type. Throws where the type cannot hold it.
   SampleType sample() const;
+};
+
+// Of an indexed normal map or a palette: EXR or PNG; kUnsupported for any other name.
+FileType indexed_file_type(const std::string& path);
+
+// -o, -d and --output-type of an indexed normal map.
+struct IndexedOutput {
+  std::string path, output_type;
+  std::string format;  // checked against what the map is stored as
+
+  void add_to(CLI::App& app);
+  FileType type() const;
 };
 
 // A length such as 2, 2m, 10cm or 5mm; metres and plain numbers count alike. Throws CLI::ValidationError.

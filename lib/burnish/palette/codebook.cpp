@@ -322,12 +322,36 @@ int Codebook::size() const {
   return n;
 }
 
-Codebook fit_codebook(std::span<const std::vector<WeightedNormal>> points, int n, const Progress& progress) {
-  if (int(points.size()) > n)
-    throw Error(ErrorKind::kMalformed, "expected at least as many normals as materials, got " + std::to_string(n) + " for " +
-                                           std::to_string(points.size()));
+namespace {
+
+std::size_t count_points(std::span<const std::vector<WeightedNormal>> groups, int n) {
+  if (int(groups.size()) > n)
+    throw Error(ErrorKind::kMalformed, "expected at least as many normals as materials, got " + std::to_string(n) +
+                                           " normals for " + std::to_string(groups.size()) + " materials");
   std::size_t total = 0;
-  for (const auto& g : points) total += g.size();
+  for (const auto& g : groups) total += g.size();
+  return total;
+}
+
+std::vector<Cells> split_into_cells(std::span<const std::vector<WeightedNormal>> points, int n, std::size_t total) {
+  const int leaf = total > 32 * std::size_t(n) ? 8 : 1;  // few points a cell need a tree down to the points
+  std::vector<Cells> groups;
+  groups.reserve(points.size());
+  for (const auto& g : points) groups.emplace_back(g, leaf);
+  split_until(groups, n);
+  return groups;
+}
+
+}  // namespace
+
+std::vector<int> share_entries(std::span<const std::vector<WeightedNormal>> points, int n) {
+  std::vector<int> share;
+  for (const Cells& cells : split_into_cells(points, n, count_points(points, n))) share.push_back(int(cells.centres.size()));
+  return share;
+}
+
+Codebook fit_codebook(std::span<const std::vector<WeightedNormal>> points, int n, const Progress& progress) {
+  const std::size_t total = count_points(points, n);
   Codebook best;
   if (total <= std::size_t(n)) {
     for (const auto& g : points) {
@@ -337,11 +361,7 @@ Codebook fit_codebook(std::span<const std::vector<WeightedNormal>> points, int n
     return best;
   }
 
-  const int leaf = total > 32 * std::size_t(n) ? 8 : 1;  // fewer points a cell need a tree down to the points
-  std::vector<Cells> groups;
-  groups.reserve(points.size());
-  for (const auto& g : points) groups.emplace_back(g, leaf);
-  split_until(groups, n);
+  std::vector<Cells> groups = split_into_cells(points, n, total);
   report_progress(progress, 0.2);
 
   best.error = lloyd_until_still(groups, 12, 2e-3);

@@ -28,4 +28,7 @@ struct Codebook {
 // Points of a group are distinct. kMalformed where n is less than the number of groups.
 Codebook fit_codebook(std::span<const std::vector<WeightedNormal>> groups, int n, const Progress& progress = {});
 
+// How many of n entries each group gets by variance splitting alone, which always divides the part of largest error.
+std::vector<int> share_entries(std::span<const std::vector<WeightedNormal>> groups, int n);
+
 }  // namespace burnish

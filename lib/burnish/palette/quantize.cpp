@@ -1,0 +1,281 @@
+#include "burnish/palette/quantize.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "burnish/core/error.h"
+#include "burnish/core/parallel.h"
+#include "burnish/palette/angle_stats.h"
+#include "burnish/palette/codebook.h"
+#include "burnish/palette/dither.h"
+#include "burnish/palette/histogram.h"
+#include "burnish/palette/imagequant_engine.h"
+#include "burnish/palette/median_cut.h"
+#include "burnish/palette/palette_order.h"
+
+namespace burnish {
+namespace {
+
+void check(const QuantizeOptions& o) {
+  const auto usage = [](const std::string& message) { throw Error(ErrorKind::kUsage, message); };
+  if (o.normals < 2 || o.normals > kMaxPaletteSize)
+    usage("normals: expected 2 to 65536, got " + std::to_string(o.normals));
+  if (o.target_error_deg && !(*o.target_error_deg >= 0 && *o.target_error_deg <= 180))
+    usage("target error: expected degrees from 0 to 180");
+  if (!(o.dither_amount >= 0 && o.dither_amount <= 1)) usage("dither amount: expected 0 to 1");
+  if (o.engine == Engine::kImagequant && o.palette.empty() && !o.target_error_deg && o.normals > kImagequantMost)
+    throw Error(ErrorKind::kUnsupported,
+                "the engine imagequant holds at most 256 normals, not " + std::to_string(o.normals));
+}
+
+// Entries of each group, in the order of the curve.
+using Groups = std::vector<std::vector<Vec3f>>;
+
+Groups fit(const Histogram& histogram, Engine engine, int n, const Progress& progress) {
+  const auto& points = histogram.groups;
+  Groups groups;
+  if (engine == Engine::kSpherical) {
+    groups = fit_codebook(points, n, progress).groups;
+  } else {
+    const std::vector<int> share = share_entries(points, n);
+    for (std::size_t g = 0; g < points.size(); g++)
+      groups.push_back(engine == Engine::kMedianCut ? fit_median_cut(points[g], share[g]) : fit_imagequant(points[g], share[g]));
+  }
+  for (std::vector<Vec3f>& entries : groups)
+    std::ranges::sort(entries, {}, [](Vec3f v) { return std::tuple(curve_position(v), v.x, v.y, v.z); });
+  return groups;
+}
+
+Palette to_palette(const Groups& groups, const std::vector<int>& ids, NormalSpace space) {
+  Palette palette;
+  palette.space = space;
+  for (std::size_t g = 0; g < groups.size(); g++) {
+    palette.materials.push_back({ids[g], int(palette.normals.size()), int(groups[g].size())});
+    palette.normals.insert(palette.normals.end(), groups[g].begin(), groups[g].end());
+  }
+  return palette;
+}
+
+// How to find the nearest entries of each of the histogram's groups in a palette.
+std::vector<EntryRange> entry_ranges(const Palette& palette, const std::vector<int>& ids, const std::string& name) {
+  std::vector<EntryRange> ranges;
+  for (int id : ids) {
+    const auto m = std::ranges::find(palette.materials, id, &MaterialInterval::id);
+    if (m == palette.materials.end()) {
+      std::string has;
+      for (const MaterialInterval& i : palette.materials) has += (has.empty() ? "" : ", ") + std::to_string(i.id);
+      throw file_error(ErrorKind::kMalformed, name, "expected entries for material " + std::to_string(id) + ", got " + has);
+    }
+    ranges.push_back({m->first, NearestEntry(std::span(palette.normals).subspan(m->first, m->count))});
+  }
+  return ranges;
+}
+
+// The angles of the whole map when each texel takes its nearest entry, by its distinct normals.
+AngleStats nearest_angles(const Histogram& histogram, const Palette& palette, const std::vector<EntryRange>& ranges) {
+  AngleStats total;
+  for (std::size_t g = 0; g < histogram.groups.size(); g++) {
+    const std::vector<WeightedNormal>& points = histogram.groups[g];
+    total += parallel_sum<AngleStats>(points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+      AngleStats s;
+      for (std::size_t i = begin; i < end; i++) {
+        const Vec3f entry = palette.normals[ranges[g].first + ranges[g].nearest(points[i].normal)];
+        s.add(angle_rad(Vec3d(points[i].normal), Vec3d(entry)), std::uint64_t(points[i].weight));
+      }
+      return s;
+    });
+  }
+  return total;
+}
+
+// The smallest palette that meets the target: doubling, then bisection.
+Palette fit_to_target(const Histogram& histogram, const QuantizeOptions& o) {
+  const int most = o.engine == Engine::kImagequant ? kImagequantMost : kMaxPaletteSize;
+  const int least = std::max<int>(1, int(histogram.groups.size()));
+  Palette best;
+  double reached = 0;
+  const auto meets = [&](int n) {
+    Palette p = to_palette(fit(histogram, o.engine, n, {}), histogram.material, o.space);
+    reached = nearest_angles(histogram, p, entry_ranges(p, histogram.material, "palette")).rms_deg();
+    if (reached > *o.target_error_deg) return false;
+    best = std::move(p);
+    return true;
+  };
+  int fails = least - 1, n = std::max(2, least);
+  while (!meets(n)) {
+    if (n >= most)
+      throw Error(ErrorKind::kThreshold, "target error: expected an RMS angle of at most " + std::to_string(*o.target_error_deg) +
+                                             " degrees, got " + std::to_string(reached) + " with " + std::to_string(most) + " normals");
+    fails = n;
+    n = std::min(most, 2 * n);
+  }
+  for (int good = n; good - fails > 1;) {
+    const int middle = fails + (good - fails) / 2;
+    (meets(middle) ? good : fails) = middle;
+  }
+  return best;
+}
+
+// Index of every texel.
+class Mapper {
+ public:
+  Mapper(TexelKeys& texels, const TexelClasses& classes, const Histogram& histogram, const Palette& palette,
+         const std::vector<EntryRange>& ranges, const QuantizeOptions& options)
+      : texels_(texels), classes_(classes), histogram_(histogram), palette_(palette), ranges_(ranges), options_(options) {
+    group_.assign(256, 0);
+    for (std::size_t g = 0; g < histogram.material.size(); g++) group_[histogram.material[g]] = std::uint16_t(g);
+  }
+
+  // Fills the index; the angles of the texels that count.
+  AngleStats run(IndexImage& index, const Progress& progress) {
+    AngleStats stats;
+    const bool by_key = histogram_.exact && options_.dither != Dither::kDiffusion;
+    if (by_key) prepare_keys();
+    if (by_key && options_.dither == Dither::kNone) stats = nearest_angles(histogram_, palette_, ranges_);
+    const int w = texels_.width(), h = texels_.height();
+    std::vector<const EntryRange*> range_of_region;
+    for (const EntryRange& r : ranges_) range_of_region.insert(range_of_region.end(), 2, &r);
+    std::optional<ErrorDiffusion> diffusion;
+    if (options_.dither == Dither::kDiffusion)
+      diffusion.emplace(palette_.normals, range_of_region, w, options_.dither_amount);
+    constexpr int kRows = 128;
+    std::vector<std::uint64_t> keys(std::size_t(w) * std::min(h, kRows));
+    std::vector<AngleStats> row_stats;
+    for (int y0 = 0; y0 < h; y0 += kRows) {
+      const int rows = std::min(kRows, h - y0);
+      texels_.read_rows(y0, rows, keys.data());
+      if (diffusion) {
+        diffuse(*diffusion, y0, rows, keys.data(), index);
+      } else {
+        parallel_for(rows, [&](std::size_t r) { map_row(y0 + int(r), keys.data() + r * w, by_key, index.row(y0 + int(r))); });
+      }
+      if (!by_key || options_.dither != Dither::kNone)
+        stats += parallel_sum<AngleStats>(rows, 32, [&](std::size_t begin, std::size_t end) {
+          AngleStats s;
+          for (std::size_t r = begin; r < end; r++) measure_row(y0 + int(r), keys.data() + r * w, index.row(y0 + int(r)), s);
+          return s;
+        });
+      report_progress(progress, double(y0 + rows) / h);
+    }
+    return stats;
+  }
+
+ private:
+  void prepare_keys() {
+    const bool ordered = options_.dither == Dither::kBlueNoise;
+    (ordered ? ordered_.resize(histogram_.keys.size()), void() : nearest_.resize(histogram_.keys.size()));
+    parallel_for_chunks(histogram_.keys.size(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; i++) {
+        const Histogram::Key& k = histogram_.keys[i];
+        const EntryRange& range = ranges_[k.group];
+        if (ordered)
+          ordered_[i] = ordered_entries(palette_.normals, range, k.normal, options_.dither_amount);
+        else
+          nearest_[i] = std::uint16_t(range.first + range.nearest(k.normal));
+      }
+    });
+  }
+
+  void map_row(int y, const std::uint64_t* keys, bool by_key, std::uint16_t* out) const {
+    const bool ordered = options_.dither == Dither::kBlueNoise;
+    std::uint64_t last = ~std::uint64_t(0);
+    std::uint32_t slot = 0;
+    for (int x = 0; x < texels_.width(); x++) {
+      const int material = classes_.material_at(x, y);
+      if (by_key) {
+        const std::uint64_t key = std::uint64_t(material) << 48 | keys[x];
+        if (key != last) slot = histogram_.table.at(key), last = key;
+        out[x] = ordered ? ordered_[slot][ordered_step(x, y)] : nearest_[slot];
+      } else {
+        const EntryRange& range = ranges_[group_[material]];
+        const Vec3f n = normal(keys[x]);
+        out[x] = ordered ? ordered_entries(palette_.normals, range, n, options_.dither_amount)[ordered_step(x, y)]
+                         : std::uint16_t(range.first + range.nearest(n));
+      }
+    }
+  }
+
+  std::uint16_t region(int x, int y) const {
+    return std::uint16_t(2 * group_[classes_.material_at(x, y)] + (classes_.counts_at(x, y) ? 1 : 0));
+  }
+
+  void diffuse(ErrorDiffusion& diffusion, int y0, int rows, const std::uint64_t* keys, IndexImage& index) {
+    const int w = texels_.width();
+    std::vector<Vec3f> normals(std::size_t(w) * rows);
+    parallel_for(rows, [&](std::size_t r) {
+      for (std::size_t i = r * w; i < (r + 1) * w; i++) normals[i] = normal(keys[i]);
+    });
+    std::vector<std::uint16_t> here(w), below(w);
+    const auto fill = [&](int y, std::vector<std::uint16_t>& to) {
+      for (int x = 0; x < w; x++) to[x] = region(x, y);
+    };
+    fill(y0, here);
+    for (int y = y0; y < y0 + rows; y++) {
+      const bool last = y + 1 == texels_.height();
+      if (!last) fill(y + 1, below);
+      diffusion.row(normals.data() + std::size_t(y - y0) * w, here.data(), last ? nullptr : below.data(), index.row(y));
+      std::swap(here, below);
+    }
+  }
+
+  void measure_row(int y, const std::uint64_t* keys, const std::uint16_t* index, AngleStats& stats) const {
+    for (int x = 0; x < texels_.width(); x++)
+      if (classes_.counts_at(x, y)) stats.add(angle_rad(Vec3d(normal(keys[x])), Vec3d(palette_.normals[index[x]])));
+  }
+
+  Vec3f normal(std::uint64_t key) const {
+    bool invalid;
+    return texels_.decode(key, invalid);
+  }
+
+  TexelKeys& texels_;
+  const TexelClasses& classes_;
+  const Histogram& histogram_;
+  const Palette& palette_;
+  const std::vector<EntryRange>& ranges_;
+  const QuantizeOptions& options_;
+  std::vector<std::uint16_t> group_;  // of a material id
+  std::vector<std::uint16_t> nearest_;
+  std::vector<std::array<std::uint16_t, kOrderedSteps>> ordered_;
+};
+
+Progress part_of(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [=](double f) { progress(from + f * (to - from)); };
+}
+
+}  // namespace
+
+QuantizeResult quantize_normal_map(const FileRef& file, const QuantizeOptions& options, const Progress& progress) {
+  check(options);
+  TexelKeys texels(file, options.coding);
+  std::optional<Palette> given;
+  if (!options.palette.empty()) given = read_palette(options.palette, options.coding.green);
+  TexelClasses classes;
+  if (!options.material.empty()) classes.material = read_ids(options.material, texels.width(), texels.height());
+  if (!options.mask.empty()) classes.mask = read_mask(options.mask, texels.width(), texels.height());
+  const Histogram histogram = count_normals(texels, classes, part_of(progress, 0, 0.3));
+
+  QuantizeResult result;
+  result.map.palette = given                      ? std::move(*given)
+                       : options.target_error_deg ? fit_to_target(histogram, options)
+                                                  : to_palette(fit(histogram, options.engine, options.normals, part_of(progress, 0.3, 0.8)),
+                                                               histogram.material, options.space);
+  const Palette& palette = result.map.palette;
+  const std::vector<EntryRange> ranges = entry_ranges(palette, histogram.material, given ? options.palette.name : texels.name());
+  result.map.levels.emplace_back(texels.width(), texels.height());
+  const AngleStats angles =
+      Mapper(texels, classes, histogram, palette, ranges, options).run(result.map.levels[0], part_of(progress, 0.8, 1));
+
+  QuantizeStats& s = result.stats;
+  s.texels = histogram.texels;
+  s.normals = int(palette.normals.size());
+  s.distinct_input_normals = histogram.distinct;
+  s.invalid_texels = histogram.invalid_texels;
+  s.rms_deg = angles.rms_deg(), s.mean_deg = angles.mean_deg(), s.p95_deg = angles.p95_deg(), s.max_deg = angles.max_deg();
+  s.lossless = histogram.exact && s.max_deg == 0;
+  return result;
+}
+
+}  // namespace burnish

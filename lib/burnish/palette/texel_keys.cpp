@@ -1,0 +1,118 @@
+#include "burnish/palette/texel_keys.h"
+
+#include <Imath/half.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+
+#include "burnish/core/error.h"
+#include "burnish/core/parallel.h"
+#include "burnish/palette/octahedral.h"
+
+namespace burnish {
+namespace {
+
+constexpr std::size_t kKeepBytes = std::size_t(256) << 20;
+constexpr int kOctahedralBits = 24;
+
+float half_value(std::uint16_t bits) {
+  half h;
+  h.setBits(bits);
+  return h;
+}
+
+}  // namespace
+
+TexelKeys::TexelKeys(const FileRef& file, const NormalCoding& coding) : reader_(file, coding) {
+  const ImageReader& image = reader_.image();
+  const bool exact = image.has_exact_samples();
+  packing_ = !exact                                          ? Packing::kOctahedral
+             : image.sample_type() == SampleType::kUint8     ? Packing::kBytes
+             : image.sample_type() == SampleType::kUint16    ? Packing::kWords
+             : image.sample_type() == SampleType::kHalf      ? Packing::kHalves
+                                                             : Packing::kOctahedral;
+  const std::size_t sample = packing_ == Packing::kBytes ? 1 : packing_ == Packing::kOctahedral ? 4 : 2;
+  row_bytes_ = sample * image.channels() * image.width();
+  if (row_bytes_ * height() <= kKeepBytes) whole_.resize(row_bytes_ * height());
+}
+
+void TexelKeys::read_rows(int first, int count, std::uint64_t* keys) {
+  const auto load = [&](int from, int rows, std::byte* to) {
+    if (packing_ == Packing::kOctahedral)
+      reader_.image().read_rows(from, rows, reinterpret_cast<float*>(to));
+    else
+      reader_.image().read_rows_stored(from, rows, to);
+  };
+  std::vector<std::byte> band;
+  const std::byte* samples;
+  if (!whole_.empty()) {
+    if (!loaded_) load(0, height(), whole_.data());
+    loaded_ = true;
+    samples = whole_.data() + row_bytes_ * first;
+  } else {
+    band.resize(row_bytes_ * count);
+    load(first, count, band.data());
+    samples = band.data();
+  }
+  std::atomic<int> broken_row = height();
+  parallel_for(count, [&](std::size_t row) {
+    try {
+      pack(samples + row * row_bytes_, width(), keys + row * width(), first + int(row));
+    } catch (const Error&) {  // of several, the first row is named, whatever the threads
+      int least = broken_row;
+      while (first + int(row) < least && !broken_row.compare_exchange_weak(least, first + int(row))) {}
+    }
+  });
+  if (broken_row < height())
+    pack(samples + std::size_t(broken_row - first) * row_bytes_, width(), keys, broken_row);
+}
+
+void TexelKeys::pack(const std::byte* samples, std::size_t texels, std::uint64_t* keys, int row) const {
+  const int* c = reader_.components();
+  const std::size_t channels = reader_.image().channels();
+  const auto stored = [&]<typename T>(const T* s) {
+    for (std::size_t i = 0; i < texels; i++, s += channels)
+      keys[i] = std::uint64_t(s[c[0]]) << 32 | std::uint64_t(s[c[1]]) << 16 | (c[2] < 0 ? 0u : s[c[2]]);
+  };
+  const auto refuse = [&](std::size_t column) {
+    throw file_error(ErrorKind::kMalformed, name(),
+                     "expected finite vectors, got NaN or infinity at column " + std::to_string(column) + ", row " +
+                         std::to_string(row));
+  };
+  switch (packing_) {
+    case Packing::kBytes: return stored(reinterpret_cast<const std::uint8_t*>(samples));
+    case Packing::kWords: return stored(reinterpret_cast<const std::uint16_t*>(samples));
+    case Packing::kHalves:
+      stored(reinterpret_cast<const std::uint16_t*>(samples));
+      for (std::size_t i = 0; i < texels; i++)
+        for (int shift : {0, 16, 32})  // all ones in the exponent
+          if ((keys[i] >> shift & 0x7c00) == 0x7c00) refuse(i);
+      return;
+    case Packing::kOctahedral: {
+      const float* s = reinterpret_cast<const float*>(samples);
+      for (std::size_t i = 0; i < texels; i++, s += channels) {
+        const float z = c[2] < 0 ? 0.f : s[c[2]];
+        if (!std::isfinite(s[c[0]] + s[c[1]] + z)) refuse(i);
+        bool invalid;
+        const Vec3f n = reader_.decode(s[c[0]], s[c[1]], z, invalid);
+        // One number is left over beyond the square: it marks vectors without a direction.
+        keys[i] = invalid ? (std::uint64_t(1) << 48) - 1 : pack_octahedral(Vec3d(n), kOctahedralBits);
+      }
+    }
+  }
+}
+
+Vec3f TexelKeys::decode(std::uint64_t key, bool& invalid) const {
+  const std::uint16_t x = std::uint16_t(key >> 32), y = std::uint16_t(key >> 16), z = std::uint16_t(key);
+  switch (packing_) {
+    case Packing::kBytes: return reader_.decode(x / 255.f, y / 255.f, z / 255.f, invalid);
+    case Packing::kWords: return reader_.decode(x / 65535.f, y / 65535.f, z / 65535.f, invalid);
+    case Packing::kHalves: return reader_.decode(half_value(x), half_value(y), half_value(z), invalid);
+    default:
+      invalid = key == (std::uint64_t(1) << 48) - 1;
+      return invalid ? Vec3f{0, 0, 1} : Vec3f(unpack_octahedral(key, kOctahedralBits));
+  }
+}
+
+}  // namespace burnish

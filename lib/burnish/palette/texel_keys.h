@@ -1,0 +1,39 @@
+// Each texel's stored normal as one 48-bit number, so that equal texels are recognised without decoding them.
+//
+// uint8, uint16 and half samples are packed as they stand, 16 bits a component. Float samples are decoded and packed as
+// octahedral coordinates of 24 bits each, 1e-7 apart: as fine as float itself.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "burnish/normal/coding.h"
+
+namespace burnish {
+
+class TexelKeys {
+ public:
+  TexelKeys(const FileRef& file, const NormalCoding& coding);
+
+  int width() const { return reader_.width(); }
+  int height() const { return reader_.height(); }
+  const std::string& name() const { return reader_.name(); }
+
+  // Keys of rows [first, first + count), each below 2^48. A map of moderate size is kept in memory as it is stored, a larger
+  // one is read again. kMalformed for NaN or infinity.
+  void read_rows(int first, int count, std::uint64_t* keys);
+
+  // The unit vector of a key; `invalid` where it was too short to have a direction.
+  Vec3f decode(std::uint64_t key, bool& invalid) const;
+
+ private:
+  void pack(const std::byte* samples, std::size_t texels, std::uint64_t* keys, int first_row) const;
+
+  NormalReader reader_;
+  enum class Packing { kBytes, kWords, kHalves, kOctahedral } packing_;
+  std::size_t row_bytes_;
+  std::vector<std::byte> whole_;  // all rows as stored; empty where they are too many
+  bool loaded_ = false;
+};
+
+}  // namespace burnish
