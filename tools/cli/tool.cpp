@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 
@@ -129,7 +131,7 @@ Progress Tool::progress() {
 void Tool::write_text(const FileRef& file, const std::string& text) {
   std::ofstream out(file.path, std::ios::binary);
   if (!out.write(text.data(), std::streamsize(text.size())) || !out.flush())
-    throw file_error(ErrorKind::kIo, file.name, "cannot be written");
+    throw file_error(ErrorKind::kIo, file.name, std::string("cannot be written: ") + std::strerror(errno));
 }
 
 void Tool::finish(const Json& stats, double seconds) {
@@ -137,7 +139,7 @@ void Tool::finish(const Json& stats, double seconds) {
   if (!report_.empty()) {
     const Json report{{"tool", text_.name}, {"version", BURNISH_VERSION}, {"command", arguments_}, {"inputs", inputs_},
                       {"outputs", outputs_}, {"seconds", seconds},        {"stats", stats}};
-    write_text(report_file_, report.dump(2) + "\n");
+    write_text(report_file_, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   }
   if (!depfile_.empty()) {
     std::vector<std::string> files = inputs_;
