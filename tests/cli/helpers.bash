@@ -1,0 +1,69 @@
+# What the command-line tests share: `load helpers` at the top of a .bats file.
+#
+# Each test runs in an empty folder of its own. BURNISH_BIN is the folder of the tools, BURNISH_FIXTURE the program that makes
+# inputs; CTest sets both, and BURNISH_SOURCE_DIR and PYTHON3.
+
+setup() {
+  : "${BURNISH_BIN:?run these through ctest, or set BURNISH_BIN and BURNISH_FIXTURE}"
+  PATH="$BURNISH_BIN:$PATH"
+  cd "$BATS_TEST_TMPDIR"
+}
+
+# make PATTERN WIDTH HEIGHT FILE [SAMPLE]
+make_image() { "$BURNISH_FIXTURE" make "$@"; }
+
+# Runs a command with its streams in the files out and err, its exit code in $status.
+call() {
+  status=0
+  "$@" >out 2>err || status=$?
+}
+
+# succeeds COMMAND…: exit 0 and nothing on standard error.
+succeeds() {
+  call "$@"
+  [ "$status" -eq 0 ] || { echo "exit $status from: $*"; cat err; return 1; }
+  [ ! -s err ] || { echo "standard error of: $*"; cat err; return 1; }
+}
+
+# refuses CODE PART COMMAND…: that exit code; one line on standard error, of the tool's own form, with PART in it; nothing on
+# standard output; and no file in this folder that was not there before, nor one that changed.
+refuses() {
+  local code=$1 part=$2
+  shift 2
+  rm -f out err
+  local before after
+  before=$(inventory)
+  call "$@"
+  after=$(inventory)
+  [ "$status" -eq "$code" ] || { echo "exit $status instead of $code from: $*"; cat err; return 1; }
+  [ "$(wc -l <err)" -eq 1 ] || { echo "not one line on standard error from: $*"; cat err; return 1; }
+  grep -q "^$(basename "$1"): error: " err || { echo "another form of error from: $*"; cat err; return 1; }
+  grep -qF -- "$part" err || { echo "no '$part' in the error of: $*"; cat err; return 1; }
+  [ ! -s out ] || { echo "something on standard output of: $*"; return 1; }
+  [ "$before" = "$after" ] || { echo "files changed by: $*"; diff <(echo "$before") <(echo "$after"); return 1; }
+}
+
+# Every file of this folder, hidden ones too, with its checksum.
+inventory() {
+  find . -mindepth 1 ! -path ./out ! -path ./err \( -type f -exec cksum {} + -o -print \) | LC_ALL=C sort
+}
+
+same_bytes() { cmp "$@"; }
+same_pixels() { "$BURNISH_FIXTURE" same "$@"; }
+
+# fits_schema TOOL REPORT…
+fits_schema() {
+  local schema=$1
+  shift
+  "${PYTHON3:-python3}" "$BURNISH_SOURCE_DIR/tests/cli/fits_schema.py" "$BURNISH_SOURCE_DIR/tools/schema/$schema.json" "$@"
+}
+
+# value KEY REPORT: one figure of a report's stats.
+value() { "${PYTHON3:-python3}" -c 'import json, sys; print(json.load(open(sys.argv[2]))["stats"][sys.argv[1]])' "$@"; }
+
+# A folder on a disk with 64 KiB of room, or a skipped test.
+small_disk() {
+  mkdir -p "$1"
+  [ "$(id -u)" -eq 0 ] || skip "only root can mount a small disk"
+  mount -t tmpfs -o size=64k tmpfs "$1" 2>/dev/null || skip "no disk can be mounted here"
+}
