@@ -99,14 +99,15 @@ Json decibels(double psnr_db) { return std::isfinite(psnr_db) ? Json(psnr_db) : 
 
 Json validate(Tool& tool, const Options& o, std::filesystem::path& created) {
   const Scene scene = read_inputs(tool, o);
+  require_twin(scene.path);
   const std::filesystem::path dir(o.report_dir);
   std::error_code error;
   if (std::filesystem::create_directory(dir, error)) created = dir;
   if (error) throw file_error(ErrorKind::kIo, o.report_dir, "cannot be made a directory: " + error.message());
   const auto file = [&](const std::string& leaf) { return tool.write((dir / leaf).string()); };
   ValidationFiles files;
-  files.picture = file("picture.png");
-  files.twin = file("twin.png");
+  files.picture = file(name(scene.path) + std::string(".png"));
+  files.twin = file("analytic.png");
   files.difference = file("difference.png");
   files.json = file("report.json");
   files.html = file("report.html");
@@ -136,7 +137,7 @@ int main(int argc, char** argv) {
   Options o;
   app.add_option("SCENE", o.scene, "Scene in TOML (keys: samples/README.md); '-' is standard input")
       ->required();
-  o.output.add_to(app, true);
+  o.output.add_to(app);
   app.get_option("--output")
       ->required(false)
       ->description(

@@ -87,15 +87,18 @@ std::vector<ToleranceCheck> check_tolerances(const Tolerances& tolerances, const
   return out;
 }
 
+void require_twin(RenderPath path) {
+  if (path == RenderPath::kAnalytic)
+    throw Error(ErrorKind::kUsage, "path 'analytic' is the twin itself; name the path to validate by --path");
+}
+
 Validation validate(const Scene& scene, const std::vector<ObjectAssets>& assets, RenderPath path,
                     const ValidationFiles& files, const Progress& progress) {
-  constexpr RenderPath kTwin = RenderPath::kAnalytic;
-  if (path == kTwin)
-    throw Error(ErrorKind::kUsage, "path 'analytic' is the twin itself; name the path to validate by --path");
+  require_twin(path);
   const int twin_samples = scene.validation.samples.value_or(scene.samples);
   const Frame frame = render_frame(scene, assets, {path, scene.samples, 0, {}},
                                    [&](double done) { report_progress(progress, 0.5 * done); });
-  const Frame twin = render_frame(scene, assets, {kTwin, twin_samples, 0, {}},
+  const Frame twin = render_frame(scene, assets, {RenderPath::kAnalytic, twin_samples, 0, {}},
                                   [&](double done) { report_progress(progress, 0.5 + 0.5 * done); });
   ByteImage counts = frame.covered;
   std::ranges::transform(counts.data, twin.covered.data, counts.data.begin(), std::bit_or<>());

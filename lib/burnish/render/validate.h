@@ -41,8 +41,11 @@ struct Validation {
 
 std::vector<ToleranceCheck> check_tolerances(const Tolerances& tolerances, const ErrorMetrics& metrics);
 
+// kUsage for the path analytic, which is the twin itself.
+void require_twin(RenderPath path);
+
 // Renders, compares and writes all files. Everything but table_ms in the JSON is the same in any run.
-// kUsage for the path analytic, which is the twin itself; kMalformed where no pixel shows an object.
+// As require_twin; kMalformed where no pixel shows an object.
 Validation validate(const Scene& scene, const std::vector<ObjectAssets>& assets, RenderPath path,
                     const ValidationFiles& files, const Progress& progress = {});
 
