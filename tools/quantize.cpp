@@ -75,18 +75,18 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&]() -> Json {
     const FileType type = output.type();
-    const std::optional<FileType> palette_type =
-        palette_output.empty() ? std::nullopt : std::optional(indexed_file_type(palette_output));
+    const bool with_palette = !palette_output.empty();
+    const FileType palette_type = with_palette ? indexed_file_type(palette_output) : type;
     const FileRef normals = tool.read(input);
     if (!material.empty()) options.material = tool.read(material);
     if (!mask.empty()) options.mask = tool.read(mask);
     if (!palette.empty()) options.palette = tool.read(palette);
     const FileRef file = tool.write(output.path);
-    const FileRef palette_file = palette_type ? tool.write(palette_output) : FileRef();
+    const FileRef palette_file = with_palette ? tool.write(palette_output) : FileRef();
     const QuantizeResult result = quantize_normal_map(normals, options, tool.progress());
     require_format(output, type, result.map.palette.normals.size());
     write_indexed_map(file, type, result.map);
-    if (palette_type) write_palette(palette_file, *palette_type, result.map.palette);
+    if (with_palette) write_palette(palette_file, palette_type, result.map.palette);
     return describe(result);
   });
 }

@@ -129,104 +129,108 @@ class Mapper {
 
   // Fills the index; the angles of the texels that count.
   AngleStats run(IndexImage& index, const Progress& progress) {
-    AngleStats stats;
-    const bool by_key = histogram_.exact && options_.dither != Dither::kDiffusion;
+    const bool by_key = histogram_.exact && options_.dither == Dither::kNone;
     if (by_key) prepare_keys();
-    if (by_key && options_.dither == Dither::kNone) stats = nearest_angles(histogram_, palette_, ranges_);
+    AngleStats stats;
+    if (by_key) stats = nearest_angles(histogram_, palette_, ranges_);
     const int w = texels_.width(), h = texels_.height();
     std::vector<const EntryRange*> range_of_region;
     for (const EntryRange& r : ranges_) range_of_region.insert(range_of_region.end(), 2, &r);
-    std::optional<ErrorDiffusion> diffusion;
-    if (options_.dither == Dither::kDiffusion)
-      diffusion.emplace(palette_.normals, range_of_region, w, options_.dither_amount);
-    constexpr int kRows = 128;
+    ErrorDiffusion diffusion(palette_.normals, range_of_region, w, options_.dither_amount);
+    constexpr int kBands = 4, kRows = kBands * kDotBandRows;
     std::vector<std::uint64_t> keys(std::size_t(w) * std::min(h, kRows));
-    std::vector<AngleStats> row_stats;
     for (int y0 = 0; y0 < h; y0 += kRows) {
       const int rows = std::min(kRows, h - y0);
       texels_.read_rows(y0, rows, keys.data());
-      if (diffusion) {
-        diffuse(*diffusion, y0, rows, keys.data(), index);
+      if (by_key) {
+        parallel_for(rows, [&](std::size_t r) { map_row(y0 + int(r), keys.data() + r * w, index.row(y0 + int(r))); });
       } else {
-        parallel_for(rows, [&](std::size_t r) { map_row(y0 + int(r), keys.data() + r * w, by_key, index.row(y0 + int(r))); });
-      }
-      if (!by_key || options_.dither != Dither::kNone)
-        stats += parallel_sum<AngleStats>(rows, 32, [&](std::size_t begin, std::size_t end) {
+        const Texels band = decode(y0, rows, keys.data());
+        switch (options_.dither) {
+          case Dither::kDiffusion: diffuse(diffusion, band, index); break;
+          case Dither::kBlueNoise:
+            parallel_for_chunks(rows, kDotBandRows, [&](std::size_t begin, std::size_t end, std::size_t) {
+              diffuse_dots(palette_.normals, range_of_region, w, int(end - begin), band.normals.data() + begin * w,
+                           band.region.data() + begin * w, options_.dither_amount, index.row(y0 + int(begin)));
+            });
+            break;
+          case Dither::kNone:
+            parallel_for(rows, [&](std::size_t r) { find_row(band, r, index.row(y0 + int(r))); });
+        }
+        stats += parallel_sum<AngleStats>(rows, 64, [&](std::size_t begin, std::size_t end) {
           AngleStats s;
-          for (std::size_t r = begin; r < end; r++) measure_row(y0 + int(r), keys.data() + r * w, index.row(y0 + int(r)), s);
+          for (std::size_t i = begin * w; i < end * w; i++)
+            if (band.region[i] % 2)
+              s.add(angle_rad(Vec3d(band.normals[i]), Vec3d(palette_.normals[index.data[std::size_t(y0) * w + i]])));
           return s;
         });
+      }
       report_progress(progress, double(y0 + rows) / h);
     }
     return stats;
   }
 
  private:
+  // A band of rows, and the region of the row below it.
+  struct Texels {
+    int first, rows;
+    std::vector<Vec3f> normals;
+    std::vector<std::uint16_t> region;
+  };
+
+  Texels decode(int y0, int rows, const std::uint64_t* keys) const {
+    const std::size_t w = texels_.width();
+    const int region_rows = std::min(rows + 1, texels_.height() - y0);
+    Texels band{y0, rows, std::vector<Vec3f>(w * rows), std::vector<std::uint16_t>(w * region_rows)};
+    parallel_for(rows, [&](std::size_t r) {
+      bool invalid;
+      for (std::size_t i = r * w; i < (r + 1) * w; i++) band.normals[i] = texels_.decode(keys[i], invalid);
+    });
+    parallel_for(region_rows, [&](std::size_t r) {
+      for (std::size_t x = 0; x < w; x++) band.region[r * w + x] = region(int(x), y0 + int(r));
+    });
+    return band;
+  }
+
   void prepare_keys() {
-    const bool ordered = options_.dither == Dither::kBlueNoise;
-    (ordered ? ordered_.resize(histogram_.keys.size()), void() : nearest_.resize(histogram_.keys.size()));
+    nearest_.resize(histogram_.keys.size());
     parallel_for_chunks(histogram_.keys.size(), 4096, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = begin; i < end; i++) {
         const Histogram::Key& k = histogram_.keys[i];
-        const EntryRange& range = ranges_[k.group];
-        if (ordered)
-          ordered_[i] = ordered_entries(palette_.normals, range, k.normal, options_.dither_amount);
-        else
-          nearest_[i] = std::uint16_t(range.first + range.nearest(k.normal));
+        nearest_[i] = std::uint16_t(ranges_[k.group].first + ranges_[k.group].nearest(k.normal));
       }
     });
   }
 
-  void map_row(int y, const std::uint64_t* keys, bool by_key, std::uint16_t* out) const {
-    const bool ordered = options_.dither == Dither::kBlueNoise;
+  void map_row(int y, const std::uint64_t* keys, std::uint16_t* out) const {
     std::uint64_t last = ~std::uint64_t(0);
-    std::uint32_t slot = 0;
+    std::uint16_t entry = 0;
     for (int x = 0; x < texels_.width(); x++) {
-      const int material = classes_.material_at(x, y);
-      if (by_key) {
-        const std::uint64_t key = std::uint64_t(material) << 48 | keys[x];
-        if (key != last) slot = histogram_.table.at(key), last = key;
-        out[x] = ordered ? ordered_[slot][ordered_step(x, y)] : nearest_[slot];
-      } else {
-        const EntryRange& range = ranges_[group_[material]];
-        const Vec3f n = normal(keys[x]);
-        out[x] = ordered ? ordered_entries(palette_.normals, range, n, options_.dither_amount)[ordered_step(x, y)]
-                         : std::uint16_t(range.first + range.nearest(n));
-      }
+      const std::uint64_t key = std::uint64_t(classes_.material_at(x, y)) << 48 | keys[x];
+      if (key != last) entry = nearest_[histogram_.table.at(key)], last = key;
+      out[x] = entry;
+    }
+  }
+
+  void find_row(const Texels& band, std::size_t r, std::uint16_t* out) const {
+    const std::size_t w = texels_.width();
+    for (std::size_t x = 0; x < w; x++) {
+      const EntryRange& range = ranges_[band.region[r * w + x] / 2];
+      out[x] = std::uint16_t(range.first + range.nearest(band.normals[r * w + x]));
+    }
+  }
+
+  void diffuse(ErrorDiffusion& diffusion, const Texels& band, IndexImage& index) const {
+    const std::size_t w = texels_.width();
+    for (int r = 0; r < band.rows; r++) {
+      const std::uint16_t* region = band.region.data() + r * w;
+      const bool last = band.first + r + 1 == texels_.height();
+      diffusion.row(band.normals.data() + r * w, region, last ? nullptr : region + w, index.row(band.first + r));
     }
   }
 
   std::uint16_t region(int x, int y) const {
     return std::uint16_t(2 * group_[classes_.material_at(x, y)] + (classes_.counts_at(x, y) ? 1 : 0));
-  }
-
-  void diffuse(ErrorDiffusion& diffusion, int y0, int rows, const std::uint64_t* keys, IndexImage& index) {
-    const int w = texels_.width();
-    std::vector<Vec3f> normals(std::size_t(w) * rows);
-    parallel_for(rows, [&](std::size_t r) {
-      for (std::size_t i = r * w; i < (r + 1) * w; i++) normals[i] = normal(keys[i]);
-    });
-    std::vector<std::uint16_t> here(w), below(w);
-    const auto fill = [&](int y, std::vector<std::uint16_t>& to) {
-      for (int x = 0; x < w; x++) to[x] = region(x, y);
-    };
-    fill(y0, here);
-    for (int y = y0; y < y0 + rows; y++) {
-      const bool last = y + 1 == texels_.height();
-      if (!last) fill(y + 1, below);
-      diffusion.row(normals.data() + std::size_t(y - y0) * w, here.data(), last ? nullptr : below.data(), index.row(y));
-      std::swap(here, below);
-    }
-  }
-
-  void measure_row(int y, const std::uint64_t* keys, const std::uint16_t* index, AngleStats& stats) const {
-    for (int x = 0; x < texels_.width(); x++)
-      if (classes_.counts_at(x, y)) stats.add(angle_rad(Vec3d(normal(keys[x])), Vec3d(palette_.normals[index[x]])));
-  }
-
-  Vec3f normal(std::uint64_t key) const {
-    bool invalid;
-    return texels_.decode(key, invalid);
   }
 
   TexelKeys& texels_;
@@ -237,7 +241,6 @@ class Mapper {
   const QuantizeOptions& options_;
   std::vector<std::uint16_t> group_;  // of a material id
   std::vector<std::uint16_t> nearest_;
-  std::vector<std::array<std::uint16_t, kOrderedSteps>> ordered_;
 };
 
 Progress part_of(const Progress& progress, double from, double to) {
