@@ -28,7 +28,7 @@ Error usage(const std::string& message) { return Error(ErrorKind::kUsage, messag
 // What CLI11 cannot say: which options go together.
 void check(const Options& o, const CLI::App& app) {
   if (!o.validate) {
-    if (o.output.path.empty()) throw usage("-o is required (or --validate with --report-dir)");
+    if (o.output.path.empty()) throw usage("--output is required, or --validate with --report-dir");
     if (!o.report_dir.empty()) throw usage("--report-dir goes with --validate");
     return;
   }

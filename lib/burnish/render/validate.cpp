@@ -44,7 +44,7 @@ std::string json_text(const Scene& scene, const Validation& v) {
                       {"p95_abs", v.metrics.p95_abs},
                       {"pixels", v.metrics.pixels},
                       {"table_ms", v.table_ms}}}};
-  return report.dump(2) + "\n";
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void write_text(const FileRef& file, const std::string& text) {
