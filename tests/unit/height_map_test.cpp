@@ -554,6 +554,7 @@ TEST(HeightMap, NumbersOutOfRangeAndMasksThatDoNotFit) {
   };
   EXPECT_ERROR(with([](auto& o) { o.height = NAN; }), ErrorKind::kUsage, "height");
   EXPECT_ERROR(with([](auto& o) { o.height = INFINITY; }), ErrorKind::kUsage, "height");
+  EXPECT_ERROR(with([](auto& o) { o.mid_level = NAN; }), ErrorKind::kUsage, "mid-level");
   EXPECT_ERROR(with([](auto& o) { o.size_u = -1; }), ErrorKind::kUsage, "size");
   EXPECT_ERROR(with([](auto& o) { o.size_v = NAN; }), ErrorKind::kUsage, "size");
   EXPECT_ERROR(with([](auto& o) { o.neighbors = 5; }), ErrorKind::kUsage, "neighbors");

@@ -356,6 +356,7 @@ class BandFitter {
 HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& options, const NormalMapTarget& target,
                                   const Progress& progress) {
   if (!std::isfinite(options.height)) throw Error(ErrorKind::kUsage, "height: expected a finite number");
+  if (!std::isfinite(options.mid_level)) throw Error(ErrorKind::kUsage, "mid-level: expected a finite number");
   if (!(options.size_u >= 0 && options.size_v >= 0 && std::isfinite(options.size_u + options.size_v)))
     throw Error(ErrorKind::kUsage, "size: expected positive numbers");
   require_encodable(target.coding, target.sample, target.file.name);

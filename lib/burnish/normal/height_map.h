@@ -22,7 +22,7 @@ enum class Wrap {
 
 struct HeightMapOptions {
   double height = 1;     // displacement of the value 1.0, in the units of size; finite
-  double mid_level = 0;  // stored value that means no displacement; no fit depends on it
+  double mid_level = 0;  // stored value that means no displacement; finite; no fit depends on it
   double size_u = 0;     // extent of the whole map; 0: one unit a texel
   double size_v = 0;     // 0: as size_u, by the map's proportions
   int neighbors = 4;
