@@ -2,9 +2,9 @@
 //
 //   burnish-fixture make PATTERN WIDTH HEIGHT FILE [uint8|uint16|half|float]
 //   burnish-fixture info FILE                 width height channels sample-type
-//   burnish-fixture texel FILE COLUMN ROW     samples as floats, integers divided by their maximum
-//   burnish-fixture same A B [TOLERANCE]      whether decoded samples differ by at most that; exit 1 and a
-//   line where not
+//   burnish-fixture texel FILE COLUMN ROW …   samples as floats, integers divided by their maximum; a line a
+//   texel burnish-fixture same A B [TOLERANCE]      whether decoded samples differ by at most that; exit 1
+//   and a line where not
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -107,9 +107,11 @@ int info(const std::vector<std::string>& a) {
 
 int texel(const std::vector<std::string>& a) {
   const Image image = read_image(a.at(1));
-  const float* t = image.at(std::stoi(a.at(2)), std::stoi(a.at(3)));
-  for (int c = 0; c < image.channels; c++) std::printf("%s%.6g", c ? " " : "", t[c]);
-  std::printf("\n");
+  for (std::size_t i = 2; i < a.size(); i += 2) {
+    const float* t = image.at(std::stoi(a[i]), std::stoi(a.at(i + 1)));
+    for (int c = 0; c < image.channels; c++) std::printf("%s%.6g", c ? " " : "", t[c] + 0.f);  // no -0
+    std::printf("\n");
+  }
   return 0;
 }
 
