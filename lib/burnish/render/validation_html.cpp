@@ -11,9 +11,11 @@ namespace burnish {
 namespace {
 
 constexpr const char* kStyle = R"(
-  body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 110rem; padding: 0 1rem; color: #222; background: #fff }
+  body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 110rem;
+         padding: 0 1rem; color: #222; background: #fff }
   h1 { font-size: 1.4rem } .pass { color: #176b2c } .miss { color: #a51d1d }
-  table { border-collapse: collapse; margin: 1rem 0 } th, td { text-align: left; padding: .2rem 1.2rem .2rem 0; border-bottom: 1px solid #ddd }
+  table { border-collapse: collapse; margin: 1rem 0 }
+  th, td { text-align: left; padding: .2rem 1.2rem .2rem 0; border-bottom: 1px solid #ddd }
   td.n { font-variant-numeric: tabular-nums }
   .pictures { display: flex; flex-wrap: wrap; gap: 1rem } figure { margin: 0; flex: 1 1 20rem }
   figure img { width: 100%; height: auto; image-rendering: pixelated; background: #000 }
