@@ -115,6 +115,14 @@ int texel(const std::vector<std::string>& a) {
   return 0;
 }
 
+int text(const std::vector<std::string>& a) {
+  const Image image = read_image(a.at(1));
+  std::printf("P%d\n%d %d\n255\n", image.channels == 1 ? 2 : 3, image.width, image.height);
+  for (std::size_t i = 0; i < image.data.size(); i++)
+    std::printf("%ld%c", std::lround(image.data[i] * 255), (i + 1) % image.channels ? ' ' : '\n');
+  return 0;
+}
+
 int same(const std::vector<std::string>& a) {
   const Image one = read_image(a.at(1)), two = read_image(a.at(2));
   const double tolerance = a.size() > 3 ? std::stod(a[3]) : 0;
@@ -144,8 +152,9 @@ int main(int argc, char** argv) {
     if (!a.empty() && a[0] == "make") return make(a);
     if (!a.empty() && a[0] == "info") return info(a);
     if (!a.empty() && a[0] == "texel") return texel(a);
+    if (!a.empty() && a[0] == "text") return text(a);
     if (!a.empty() && a[0] == "same") return same(a);
-    std::fprintf(stderr, "burnish-fixture: expected make, info, texel or same\n");
+    std::fprintf(stderr, "burnish-fixture: expected make, info, texel, text or same\n");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "burnish-fixture: %s\n", error.what());
   }
