@@ -1,13 +1,14 @@
 #include "burnish/palette/codebook.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <queue>
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
+#include "burnish/palette/centre_tree.h"
 
 namespace burnish {
 namespace {
@@ -19,6 +20,9 @@ struct Cells {
   std::vector<int> of;  // parallel to tree.points()
   std::vector<Vec3d> sum;
   std::vector<double> weight;
+  std::vector<char> settled;  // whose points have not changed in the last iteration
+  std::vector<Vec3f> seen;  // the centres as they were when `of` was found
+  std::optional<CentreTree> centre_tree;  // over the centres; none after they have been replaced
 
   Cells(const std::vector<WeightedNormal>& points, int leaf) : tree(points, leaf), of(points.size()) {}
 
@@ -30,78 +34,128 @@ struct Cells {
   }
 };
 
-// Nearest centre of every point below a node, by filtering the centres that can be nearest (see NearestEntry).
-class Assignment {
- public:
-  explicit Assignment(Cells& cells) : cells_(cells) {}
+std::vector<int> all_of(std::size_t n) {
+  std::vector<int> all(n);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
 
-  void run() {
-    std::vector<int> all(cells_.centres.size());
-    std::iota(all.begin(), all.end(), 0);
-    descend(0, all);
+// The points of each cell, as positions begin[k] … begin[k + 1] of `order`.
+struct Members {
+  std::vector<int> begin, order;
+
+  explicit Members(const Cells& cells) : begin(cells.centres.size() + 1), order(cells.of.size()) {
+    for (int k : cells.of) begin[k + 1]++;
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<int> next = begin;
+    for (std::size_t i = 0; i < cells.of.size(); i++) order[next[cells.of[i]]++] = int(i);
   }
-
- private:
-  void descend(int at, const std::vector<int>& candidates) {
-    const PointTree::Node& node = cells_.tree.node(at);
-    const Vec3f g{node.centre[0], node.centre[1], node.centre[2]};
-    float best = -2;
-    Vec3f nearest;
-    for (int c : candidates)
-      if (const float d = dot(g, cells_.centres[c]); d > best) best = d, nearest = cells_.centres[c];
-    const float limit = node.radius * node.radius * 1.0001f;
-    std::vector<int> kept;
-    kept.reserve(32);
-    for (int c : candidates) {
-      const Vec3f apart = cells_.centres[c] - nearest;
-      const float behind = -dot(g, apart);
-      if (behind <= 1e-7f || behind * behind <= limit * dot(apart, apart)) kept.push_back(c);
-    }
-    if (kept.size() == 1) {
-      std::fill(cells_.of.begin() + node.begin, cells_.of.begin() + node.end, kept[0]);
-    } else if (node.left < 0 || node.end - node.begin <= 6) {
-      for (int i = node.begin; i < node.end; i++) cells_.of[i] = nearest_of(cells_.tree.points()[i].normal, kept);
-    } else if (node.end - node.begin > 2048) {
-      parallel_invoke([&] { descend(node.left, kept); }, [&] { descend(node.right, kept); });
-    } else {
-      descend(node.left, kept);
-      descend(node.right, kept);
-    }
-  }
-
-  int nearest_of(Vec3f p, const std::vector<int>& candidates) const {
-    int best = candidates[0];
-    float most = dot(p, cells_.centres[best]);
-    for (int c : candidates)
-      if (const float d = dot(p, cells_.centres[c]); d > most) most = d, best = c;
-    return best;
-  }
-
-  Cells& cells_;
 };
 
+// Gives every point its nearest centre, exactly. A centre nearer than c to a point at distance d of c is within 2d of c (the
+// triangle inequality), so a cell's points need to see only the centres within twice its radius; where neither its own centre nor
+// any of those has moved since the last time, nothing can have changed.
+void assign(Cells& cells) {
+  const std::vector<WeightedNormal>& points = cells.tree.points();
+  const std::vector<Vec3f>& centres = cells.centres;
+  if (cells.centre_tree)
+    cells.centre_tree->refit(centres);
+  else
+    cells.centre_tree.emplace(centres, all_of(centres.size()));
+  const CentreTree& all = *cells.centre_tree;
+  const auto from_scratch = [&](int i) {
+    float best2 = 8;
+    return all.nearest(points[i].normal, best2);
+  };
+  if (cells.seen.size() != centres.size()) {
+    parallel_for_chunks(points.size(), 2048, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; i++) cells.of[i] = from_scratch(int(i));
+    });
+    cells.seen = centres;
+    return;
+  }
+  std::vector<int> moved;
+  for (std::size_t k = 0; k < centres.size(); k++)
+    if (!(centres[k] == cells.seen[k])) moved.push_back(int(k));
+  const CentreTree moved_tree(centres, std::move(moved));
+  const Members members(cells);
+  parallel_for_chunks(centres.size(), 64, [&](std::size_t first, std::size_t last, std::size_t) {
+    std::vector<std::pair<float, int>> near;  // squared distance from the cell's centre, centre
+    for (std::size_t k = first; k < last; k++) {
+      const int begin = members.begin[k], end = members.begin[k + 1];
+      const Vec3f centre = centres[k];
+      float radius2 = 0;
+      for (int m = begin; m < end; m++) {
+        const Vec3f d = points[members.order[m]].normal - centre;
+        radius2 = std::max(radius2, dot(d, d));
+      }
+      const Vec3f step = centre - cells.seen[k];
+      const float step2 = dot(step, step), reach2 = 4.0001f * radius2 + 1e-12f;
+      if (step2 == 0 && moved_tree.for_each_within(centre, reach2, [](int, float) { return false; })) continue;
+      if (step2 > 0.25f * radius2) {  // it has left its points behind: what surrounds it tells nothing about them
+        for (int m = begin; m < end; m++) cells.of[members.order[m]] = from_scratch(members.order[m]);
+        continue;
+      }
+      near.clear();
+      all.for_each_within(centre, reach2, [&](int other, float d2) {
+        if (other != int(k)) near.emplace_back(d2, other);
+        return true;
+      });
+      std::ranges::sort(near);
+      for (int m = begin; m < end; m++) {
+        const Vec3f p = points[members.order[m]].normal;
+        const Vec3f d = p - centre;
+        float best2 = dot(d, d);
+        const float enough = 4.0001f * best2 + 1e-12f;
+        int best = int(k);
+        for (const auto& [d2, other] : near) {
+          if (d2 > enough) break;
+          const Vec3f e = p - centres[other];
+          if (const float e2 = dot(e, e); e2 < best2) best2 = e2, best = other;
+        }
+        cells.of[members.order[m]] = best;
+      }
+    }
+  });
+  cells.seen = centres;
+}
+
+// Sums of the cells; marks those that are as they were in `settled`.
 void sum_up(Cells& cells) {
-  cells.sum.assign(cells.centres.size(), {});
+  std::vector<Vec3d> before(cells.centres.size());
+  before.swap(cells.sum);
+  before.resize(cells.centres.size());
   cells.weight.assign(cells.centres.size(), 0);
   const std::vector<WeightedNormal>& points = cells.tree.points();
   for (std::size_t i = 0; i < points.size(); i++) {
     cells.sum[cells.of[i]] += Vec3d(points[i].normal) * double(points[i].weight);
     cells.weight[cells.of[i]] += points[i].weight;
   }
+  cells.settled.resize(cells.centres.size());
+  for (std::size_t k = 0; k < before.size(); k++) cells.settled[k] = before[k] == cells.sum[k];
 }
 
-void centre_up(Cells& cells) {
-  for (std::size_t k = 0; k < cells.centres.size(); k++)
-    if (const double l = length(cells.sum[k]); l > 1e-12 * cells.weight[k] && l > 0) cells.centres[k] = Vec3f(cells.sum[k] / l);
+// Moves the centres to their centroids, or `beyond` as far again: Lloyd steps come out too short, and longer ones converge in
+// fewer. Not where the step is long for the cell, nor where the cell has settled.
+void centre_up(Cells& cells, double beyond) {
+  for (std::size_t k = 0; k < cells.centres.size(); k++) {
+    const double l = length(cells.sum[k]);
+    if (!(l > 1e-12 * cells.weight[k])) continue;
+    Vec3d centroid = cells.sum[k] / l;
+    const Vec3d step = centroid - Vec3d(cells.centres[k]);
+    const double mean_error2 = std::max(0.0, 2 * (1 - l / cells.weight[k]));
+    if (beyond > 0 && !cells.settled[k] && dot(step, step) < 0.25 * mean_error2) centroid = normalized(centroid + step * beyond);
+    cells.centres[k] = Vec3f(centroid);
+  }
 }
 
-// One Lloyd iteration; the error after it.
-double lloyd(std::vector<Cells>& groups) {
+// One Lloyd iteration; the error of its cells about their centroids.
+double lloyd(std::vector<Cells>& groups, double beyond = 0.7) {
   double error = 0;
   for (Cells& cells : groups) {
-    Assignment(cells).run();
+    assign(cells);
     sum_up(cells);
-    centre_up(cells);
+    centre_up(cells, beyond);
     error += cells.error();
   }
   return error;
@@ -159,45 +213,6 @@ void split_until(std::vector<Cells>& groups, int n) {
   }
 }
 
-// The centre nearest to another one, by the tree over the centres (leaves of which are single).
-class Neighbours {
- public:
-  explicit Neighbours(const std::vector<Vec3f>& centres) : tree_(weighted(centres), 4) {}
-
-  // Squared chord from `v` to the nearest centre that is not within 1e-7 of it … and that centre.
-  float nearest_other(Vec3f v, Vec3f* found) const {
-    float best = 8;
-    search(0, v, best, found);
-    return best;
-  }
-
- private:
-  static std::vector<WeightedNormal> weighted(const std::vector<Vec3f>& centres) {
-    std::vector<WeightedNormal> out;
-    for (const Vec3f& c : centres) out.push_back({c, 1.f});
-    return out;
-  }
-  void search(int at, Vec3f v, float& best, Vec3f* found) const {
-    const PointTree::Node& node = tree_.node(at);
-    if (node.left < 0) {
-      for (int i = node.begin; i < node.end; i++) {
-        const Vec3f d = tree_.points()[i].normal - v;
-        if (const float q = dot(d, d); q < best && q > 0) best = q, *found = tree_.points()[i].normal;
-      }
-      return;
-    }
-    const auto reach = [&](int child) {
-      const PointTree::Node& c = tree_.node(child);
-      return std::max(0.f, length(Vec3f{c.centre[0], c.centre[1], c.centre[2]} - v) - c.radius);
-    };
-    const float l = reach(node.left), r = reach(node.right);
-    for (const auto& [child, distance] : l <= r ? std::array{std::pair{node.left, l}, std::pair{node.right, r}}
-                                               : std::array{std::pair{node.right, r}, std::pair{node.left, l}})
-      if (distance * distance < best) search(child, v, best, found);
-  }
-  PointTree tree_;
-};
-
 struct Move {
   int group, centre;
   double value;
@@ -209,14 +224,16 @@ std::vector<Move> removal_costs(const std::vector<Cells>& groups) {
   for (std::size_t g = 0; g < groups.size(); g++) {
     const Cells& cells = groups[g];
     if (cells.centres.size() < 2) continue;
-    const Neighbours neighbours(cells.centres);
+    CentreTree tree = *cells.centre_tree;
+    tree.refit(cells.centres);
     std::vector<double> cost(cells.centres.size());
     parallel_for_chunks(cost.size(), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t k = begin; k < end; k++) {
-        Vec3f other;
-        // Moving the cell to the other centre: |S_k| − S_k·c', twice, is the change of Σ w|p − c|².
-        if (cells.weight[k] > 0 && neighbours.nearest_other(cells.centres[k], &other) < 8)
-          cost[k] = std::max(0.0, 2 * (length(cells.sum[k]) - dot(cells.sum[k], Vec3d(other))));
+        if (cells.weight[k] == 0) continue;
+        float best2 = 8;
+        const Vec3f other = cells.centres[tree.nearest(cells.centres[k], best2, int(k))];
+        // Moving the cell to the other centre changes Σ w|p − c|² by twice |S_k| − S_k·c'.
+        cost[k] = std::max(0.0, 2 * (length(cells.sum[k]) - dot(cells.sum[k], Vec3d(other))));
       }
     });
     for (std::size_t k = 0; k < cost.size(); k++) all.push_back({int(g), int(k), cost[k]});
@@ -239,24 +256,24 @@ std::vector<Split> split_gains(const std::vector<Cells>& groups, std::size_t mos
   std::ranges::stable_sort(errors, std::greater{}, &Move::value);
   errors.resize(std::min(errors.size(), most));
 
-  std::vector<std::vector<std::vector<WeightedNormal>>> members(groups.size());
-  std::vector<std::vector<int>> slot(groups.size());
-  for (std::size_t g = 0; g < groups.size(); g++) slot[g].assign(groups[g].centres.size(), -1);
-  std::vector<std::vector<WeightedNormal>> points(errors.size());
-  for (std::size_t i = 0; i < errors.size(); i++) slot[errors[i].group][errors[i].centre] = int(i);
-  for (std::size_t g = 0; g < groups.size(); g++)
-    for (std::size_t i = 0; i < groups[g].of.size(); i++)
-      if (const int s = slot[g][groups[g].of[i]]; s >= 0) points[s].push_back(groups[g].tree.points()[i]);
+  std::vector<Members> members;
+  members.reserve(groups.size());
+  for (const Cells& cells : groups) members.emplace_back(cells);
 
   std::vector<Split> splits(errors.size());
   parallel_for_chunks(errors.size(), 64, [&](std::size_t begin, std::size_t end, std::size_t) {
+    std::vector<WeightedNormal> points;
     for (std::size_t i = begin; i < end; i++) {
       splits[i].move = {errors[i].group, errors[i].centre, 0};
-      if (points[i].size() < 2) continue;
-      const std::size_t cut = std::size_t(cut_in_two(points[i], &splits[i].move.value));
+      const Members& m = members[errors[i].group];
+      points.clear();
+      for (int p = m.begin[errors[i].centre]; p < m.begin[errors[i].centre + 1]; p++)
+        points.push_back(groups[errors[i].group].tree.points()[m.order[p]]);
+      if (points.size() < 2) continue;
+      const std::size_t cut = std::size_t(cut_in_two(points, &splits[i].move.value));
       Vec3d low, high;
-      for (std::size_t p = 0; p < points[i].size(); p++)
-        (p < cut ? low : high) += Vec3d(points[i][p].normal) * double(points[i][p].weight);
+      for (std::size_t p = 0; p < points.size(); p++)
+        (p < cut ? low : high) += Vec3d(points[p].normal) * double(points[p].weight);
       if (length(low) > 0 && length(high) > 0)
         splits[i].low = Vec3f(normalized(low)), splits[i].high = Vec3f(normalized(high));
       else
@@ -290,28 +307,46 @@ int relocate(std::vector<Cells>& groups, double eager, int most) {
     live[split.move.group]++;
     moves.emplace_back(costs[c], split);
   }
-  std::vector<std::vector<char>> removed(groups.size());
-  for (std::size_t g = 0; g < groups.size(); g++) removed[g].assign(groups[g].centres.size(), 0);
+  std::vector<std::vector<int>> removed(groups.size());
   for (const auto& [from, to] : moves) {
     Cells& target = groups[to.move.group];
     target.centres[to.move.centre] = to.low;
-    removed[from.group][from.centre] = 1;
-    target.centres.push_back(to.high);
+    if (from.group == to.move.group) {
+      target.centres[from.centre] = to.high;  // in its place, so that the others keep theirs
+    } else {
+      target.centres.push_back(to.high);
+      removed[from.group].push_back(from.centre);
+    }
   }
   for (std::size_t g = 0; g < groups.size(); g++) {
-    std::vector<Vec3f>& centres = groups[g].centres;
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < centres.size(); k++)
-      if (k >= removed[g].size() || !removed[g][k]) centres[kept++] = centres[k];
-    centres.resize(kept);
+    std::ranges::sort(removed[g], std::greater{});
+    for (int k : removed[g]) groups[g].centres.erase(groups[g].centres.begin() + k);
+    groups[g].centre_tree.reset();
   }
   return int(moves.size());
 }
 
-std::vector<std::vector<Vec3f>> centres_of(const std::vector<Cells>& groups) {
-  std::vector<std::vector<Vec3f>> out;
-  for (const Cells& cells : groups) out.push_back(cells.centres);
+// What a round of relocations starts from and goes back to.
+struct State {
+  std::vector<Vec3f> centres, seen;
+  std::vector<int> of;
+  std::vector<Vec3d> sum;
+  std::vector<double> weight;
+};
+
+std::vector<State> save(const std::vector<Cells>& groups) {
+  std::vector<State> out;
+  for (const Cells& c : groups) out.push_back({c.centres, c.seen, c.of, c.sum, c.weight});
   return out;
+}
+
+void restore(std::vector<Cells>& groups, const std::vector<State>& saved) {
+  for (std::size_t g = 0; g < groups.size(); g++) {
+    Cells& c = groups[g];
+    const State& s = saved[g];
+    c.centres = s.centres, c.seen = s.seen, c.of = s.of, c.sum = s.sum, c.weight = s.weight;
+    c.centre_tree.emplace(c.centres, all_of(c.centres.size()));
+  }
 }
 
 }  // namespace
@@ -364,31 +399,25 @@ Codebook fit_codebook(std::span<const std::vector<WeightedNormal>> points, int n
   std::vector<Cells> groups = split_into_cells(points, n, total);
   report_progress(progress, 0.2);
 
-  best.error = lloyd_until_still(groups, 12, 2e-3);
-  best.groups = centres_of(groups);
+  best.error = lloyd_until_still(groups, 8, 2e-3);
+  // A move is tried where its gain, before Lloyd iterations have made the most of it, times `eager` exceeds its cost.
   double eager = 4;
-  constexpr int kRounds = 16;
-  for (int round = 0; round < kRounds && eager > 0.5; round++) {
+  constexpr int kRounds = 14;
+  constexpr double kLeastEager = 0.4, kLittle = 2e-3;
+  for (int round = 0; round < kRounds && eager > kLeastEager; round++) {
     report_progress(progress, 0.3 + 0.7 * round / kRounds);
-    if (relocate(groups, eager, std::max(1, n / 8)) == 0) {
-      eager = 0;
-      break;
-    }
+    const std::vector<State> before = save(groups);
+    if (relocate(groups, eager, std::max(1, n / 8)) == 0) break;
     const double error = lloyd_until_still(groups, 4, 1e-3);
-    if (error < best.error) {
-      const bool little = error > best.error * (1 - 1e-3);
+    if (error > best.error * (1 - kLittle)) eager *= 0.6;
+    if (error < best.error)
       best.error = error;
-      best.groups = centres_of(groups);
-      if (little) eager *= 0.7;
-    } else {
-      eager *= 0.5;
-      for (std::size_t g = 0; g < groups.size(); g++) groups[g].centres = best.groups[g];
-      lloyd(groups);
-    }
+    else
+      restore(groups, before);
   }
-  for (std::size_t g = 0; g < groups.size(); g++) groups[g].centres = best.groups[g];
-  best.error = lloyd_until_still(groups, 12, 2e-4);
-  best.groups = centres_of(groups);
+  lloyd_until_still(groups, 50, 2e-4);
+  best.error = lloyd(groups, 0);
+  for (const Cells& cells : groups) best.groups.push_back(cells.centres);
   return best;
 }
 

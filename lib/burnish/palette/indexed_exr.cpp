@@ -37,6 +37,7 @@ void insert_palette(Imf::Header& header, const Palette& palette) {
   header.insert("burnish:y", Imf::StringAttribute("up"));
   header.insert("burnish:format", Imf::IntAttribute(1));
   header.compression() = Imf::ZIP_COMPRESSION;
+  header.zipCompressionLevel() = 2;  // of indices, higher levels save 4 % and cost half as much time again
 }
 
 Palette extract_palette(const Imf::Header& header, const FileRef& file) {
