@@ -345,11 +345,11 @@ PYTHON
 }
 
 @test "a progress bar on a terminal, wiped at the end, and none with -q" {
-  command -v script >/dev/null || skip "no script(1) to make a terminal with"
+  script -qec true /dev/null >/dev/null 2>&1 </dev/null || skip "no script(1), or no terminal for it to make"
   make_image noise 2500 2500 h.tif
   script -qec "burnish-normals h.tif -o x.png --neighbors 80" typescript >/dev/null </dev/null
   grep -q '%' typescript
-  tail -c 20 typescript | grep -q "$(printf '\033')\[K" || grep -q "$(printf '\033')\[K" typescript
+  grep -q "$(printf '\033')\[K" typescript
   script -qec "burnish-normals h.tif -o x.png --neighbors 80 -q" typescript >/dev/null </dev/null
   ! grep -v '^Script ' typescript | grep -q '%'
 }
