@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "burnish/core/parallel.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr int kTopDepth = 4;      // walks begin on a grid of 16 × 16 cells a face
 constexpr int kMaxDepth = 14;     // where entries coincide no division parts them
+constexpr float kFarthest = 16;   // radii from the nearest entry to a cell that is divided
 constexpr std::size_t kLeaf = 6;  // comparing so few is as fast as going deeper
 
 struct FacePoint {
@@ -39,6 +41,11 @@ std::uint32_t cell(float t) { return std::uint32_t(std::clamp((t + 1.f) * float(
 NearestEntry::NearestEntry(std::span<const Vec3f> entries) : entries_(entries.begin(), entries.end()) {
   std::vector<std::uint16_t> all(entries_.size());
   std::iota(all.begin(), all.end(), std::uint16_t(0));
+  // Of equal entries only the first can win, and no division would part them.
+  const auto place = [&](std::uint16_t i) { return std::tuple(entries_[i].x, entries_[i].y, entries_[i].z); };
+  std::ranges::stable_sort(all, {}, place);
+  all.erase(std::ranges::unique(all, {}, place).begin(), all.end());
+  std::ranges::sort(all);
   parallel_for(6, [&](std::size_t face) {
     FaceTree& tree = faces_[face];
     tree.nodes.push_back({});
@@ -62,13 +69,18 @@ void NearestEntry::build(FaceTree& tree, int face, std::uint32_t node, const std
   Vec3f nearest;
   for (std::uint16_t c : candidates)
     if (const float d = dot(g, entries_[c]); d > best) best = d, nearest = entries_[c];
+  std::size_t within_reach = 0;  // the others are kept because rounding may tie them, which no division changes
   for (std::uint16_t c : candidates) {
     const Vec3f apart = entries_[c] - nearest;
     const float behind = -dot(g, apart);  // ≥ 0
-    if (behind <= 1e-6f || behind * behind <= radius * radius * dot(apart, apart) * 1.0001f) kept.push_back(c);
+    const bool reach = behind * behind <= radius * radius * dot(apart, apart) * 1.0001f;
+    within_reach += reach;
+    if (reach || behind <= 1e-6f) kept.push_back(c);
   }
 
-  const bool divide = depth < kTopDepth || (kept.size() > kLeaf && depth < kMaxDepth);
+  // Far from every entry nobody asks, and there a cell may keep many however small it is: all of them round the pole of a circle.
+  const bool near = radius * kFarthest > std::sqrt(std::max(0.f, 2 - 2 * best));
+  const bool divide = depth < kTopDepth || (within_reach > kLeaf && depth < kMaxDepth && near);
   if (depth == kTopDepth) tree.top[(row << kTopDepth) | column] = node;
   if (!divide) {
     tree.nodes[node] = {std::uint32_t(tree.candidates.size()), std::uint32_t(kept.size())};
