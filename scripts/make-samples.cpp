@@ -1,11 +1,12 @@
 // Makes the inputs of the samples: a displacement map of paving stones, and the object-space normal map of a cratered planet.
 //
-//   make-samples DIRECTORY
+//   make-samples DIRECTORY [SIDE]      SIDE texels of the stones, 1024 by default
 //
 // Everything comes from an integer hash, so that the maps are the same everywhere.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -142,13 +143,14 @@ Image make_planet_normals(int w, int h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: make-samples DIRECTORY\n");
+  const int side = argc > 2 ? std::atoi(argv[2]) : 1024;
+  if (argc < 2 || argc > 3 || side < 1 || side > 32768) {
+    std::fprintf(stderr, "usage: make-samples DIRECTORY [SIDE]\n");
     return 1;
   }
   try {
     const std::string directory = argv[1];
-    write_image(directory + "/stones.png", FileType::kPng, SampleType::kUint16, make_stones(1024));
+    write_image(directory + "/stones.png", FileType::kPng, SampleType::kUint16, make_stones(side));
     write_image(directory + "/planet_n.png", FileType::kPng, SampleType::kUint16, make_planet_normals(1024, 512));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "make-samples: error: %s\n", error.what());

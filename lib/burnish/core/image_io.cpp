@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "burnish/core/checked_file.h"
 #include "burnish/core/error.h"
 
 namespace burnish {
@@ -96,63 +97,30 @@ void require_readable(const FileRef& file) {
     throw file_error(ErrorKind::kIo, file.name, std::string("cannot be read: ") + std::strerror(errno));
 }
 
-// What the codecs write through. Most of them look at no result of their own writes: without it a full disk
+// A CheckedFile as OpenImageIO's codecs take it. Most of them look at no result of their own writes: without it a full disk
 // passes unseen.
-class CheckedFile final : public OIIO::Filesystem::IOProxy {
+class CheckedProxy final : public OIIO::Filesystem::IOProxy {
  public:
-  explicit CheckedFile(const std::string& path)
-      : IOProxy(path, Write), file_(std::fopen(path.c_str(), "w+be")) {
-    note_error(file_ != nullptr);
-    if (file_) std::setvbuf(file_, nullptr, _IOFBF, 1 << 18);
-  }
-  ~CheckedFile() override { close(); }
-  CheckedFile(const CheckedFile&) = delete;
-  CheckedFile& operator=(const CheckedFile&) = delete;
+  explicit CheckedProxy(const std::string& path) : IOProxy(path, Write), file(path) {}
 
   const char* proxytype() const override { return "file"; }
-  bool opened() const override { return file_ != nullptr; }
-  void close() override {
-    if (file_) note_error(std::fclose(file_) == 0);
-    file_ = nullptr;
-  }
+  bool opened() const override { return file.is_open(); }
+  void close() override { file.close(); }
   std::size_t write(const void* bytes, std::size_t size) override {
-    if (!to_position()) return 0;
-    const std::size_t n = std::fwrite(bytes, 1, size, file_);
-    note_error(n == size);
-    at_ = m_pos += std::int64_t(n);
+    file.seek(m_pos);
+    const std::size_t n = file.write(bytes, size);
+    m_pos = file.position();
     return n;
   }
   std::size_t read(void* bytes, std::size_t size) override {
-    at_ = -1;  // between writing and reading C wants a seek
-    if (!to_position()) return 0;
-    const std::size_t n = std::fread(bytes, 1, size, file_);
-    m_pos += std::int64_t(n);
-    at_ = -1;
+    file.seek(m_pos);
+    const std::size_t n = file.read(bytes, size);
+    m_pos = file.position();
     return n;
   }
-  std::size_t size() const override {
-    struct stat st;
-    return file_ && std::fflush(file_) == 0 && ::fstat(::fileno(file_), &st) == 0 ? std::size_t(st.st_size)
-                                                                                  : 0;
-  }
+  std::size_t size() const override { return file.size(); }
 
-  // errno of the first failure, or 0.
-  int first_error() const { return error_; }
-
- private:
-  bool to_position() {
-    if (!file_) return false;
-    if (at_ != m_pos) note_error(::fseeko(file_, m_pos, SEEK_SET) == 0);
-    at_ = m_pos;
-    return true;
-  }
-  void note_error(bool ok) {
-    if (!ok && !error_) error_ = errno ? errno : EIO;
-  }
-
-  std::FILE* file_;
-  std::int64_t at_ = 0;  // where file_ stands
-  int error_ = 0;
+  CheckedFile file;
 };
 
 }  // namespace
@@ -306,7 +274,7 @@ void ImageReader::require_size(int w, int h, const std::string& what) const {
 
 struct ImageWriter::Impl {
   FileRef file;
-  std::unique_ptr<CheckedFile> to;  // outlives what writes to it
+  std::unique_ptr<CheckedProxy> to;  // outlives what writes to it
   std::unique_ptr<OIIO::ImageOutput> out;
   OIIO::ImageSpec spec;
   SampleType sample;
@@ -314,14 +282,11 @@ struct ImageWriter::Impl {
   std::vector<std::byte> converted;
 
   [[noreturn]] void fail() {
-    std::string what = out ? one_line(out->geterror()) : "";
-    if (to->first_error()) what = std::strerror(to->first_error());
-    throw file_error(ErrorKind::kIo, file.name,
-                     "cannot be written: " + (what.empty() ? "the codec does not say why" : what));
+    throw to->file.error(file.name, out ? one_line(out->geterror()) : "");
   }
 
   void write(int count, const void* rows, OIIO::TypeDesc type) {
-    if (!out->write_scanlines(next, next + count, 0, type, rows) || to->first_error()) fail();
+    if (!out->write_scanlines(next, next + count, 0, type, rows) || to->file.first_error()) fail();
     next += count;
   }
 };
@@ -344,8 +309,8 @@ ImageWriter::ImageWriter(const FileRef& file, FileType type, SampleType sample, 
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("DateTime", "");  // or the codec puts the clock into the file
   for (const auto& [key, value] : attributes) spec.attribute(key, value);
-  impl_->to = std::make_unique<CheckedFile>(file.path);
-  if (impl_->to->first_error()) impl_->fail();
+  impl_->to = std::make_unique<CheckedProxy>(file.path);
+  if (impl_->to->file.first_error()) impl_->fail();
   OIIO::Filesystem::IOProxy* to = impl_->to.get();
   spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &to);
   if (!impl_->out->open(file.path, spec)) impl_->fail();
@@ -379,8 +344,8 @@ void ImageWriter::write_rows_stored(int count, const void* rows) {
 void ImageWriter::close() {
   if (!impl_->out->close()) impl_->fail();
   impl_->out.reset();  // some files are complete only now
-  impl_->to->close();
-  if (impl_->to->first_error()) impl_->fail();
+  impl_->to->file.close();
+  if (impl_->to->file.first_error()) impl_->fail();
 }
 
 Image read_image(const FileRef& file) {

@@ -27,6 +27,9 @@ class ThreadLimit {
   tbb::global_control control_;
 };
 
+// How many threads may run now; for libraries that keep threads of their own.
+inline int thread_limit() { return int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)); }
+
 // body(i) for each i in [0, count).
 template <typename Body>
 void parallel_for(std::size_t count, const Body& body) {

@@ -14,23 +14,31 @@ namespace {
 constexpr std::size_t kMostDistinct = std::size_t(1) << 21;
 constexpr std::size_t kMostBins = std::size_t(1) << 20;
 constexpr int kLanes = 8;  // tables filled side by side; their number is fixed, the threads take them as they come
-constexpr int kBandRows = 256;
+constexpr int kBandRows = 128;
+constexpr int kAhead = 12;  // texels between the prefetch of a slot and its use
 
-// Calls body(lane, keys of the row, y) for every row, lanes in parallel; stops where it returns false.
+// Calls body(lane, keys of the row, y) for every row, lanes in parallel, while the next band is read; stops where it returns false.
 template <typename Body>
 bool for_each_row(TexelKeys& texels, const Progress& progress, const Body& body) {
   const int w = texels.width(), h = texels.height();
-  std::vector<std::uint64_t> keys(std::size_t(w) * std::min(h, kBandRows));
+  std::vector<std::uint64_t> keys(std::size_t(w) * std::min(h, kBandRows)), next(keys.size());
   std::array<bool, kLanes> go_on;
   go_on.fill(true);
+  const auto read = [&](int y, std::vector<std::uint64_t>& to) {
+    if (y < h) texels.read_rows(y, std::min(kBandRows, h - y), to.data());
+  };
+  read(0, keys);
   for (int y = 0; y < h; y += kBandRows) {
     const int rows = std::min(kBandRows, h - y);
-    texels.read_rows(y, rows, keys.data());
-    parallel_for(kLanes, [&](std::size_t lane) {
-      for (int r = int(lane) * rows / kLanes; r < int(lane + 1) * rows / kLanes && go_on[lane]; r++)
-        go_on[lane] = body(lane, keys.data() + std::size_t(r) * w, y + r);
-    });
+    parallel_invoke([&] { read(y + kBandRows, next); },
+                    [&] {
+                      parallel_for(kLanes, [&](std::size_t lane) {
+                        for (int r = int(lane) * rows / kLanes; r < int(lane + 1) * rows / kLanes && go_on[lane]; r++)
+                          go_on[lane] = body(lane, keys.data() + std::size_t(r) * w, y + r);
+                      });
+                    });
     if (std::ranges::find(go_on, false) != go_on.end()) return false;
+    std::swap(keys, next);
     report_progress(progress, double(y + rows) / h);
   }
   return true;
@@ -69,6 +77,7 @@ bool count_exactly(TexelKeys& texels, const TexelClasses& classes, const Progres
     for (int x = 0; x < w;) {
       const int material = classes.material_at(x, y);
       const bool counts = classes.counts_at(x, y);
+      if (x + kAhead < w) table.prefetch(std::uint64_t(material) << 48 | keys[x + kAhead]);
       int end = x + 1;
       while (end < w && keys[end] == keys[x] && classes.material_at(end, y) == material && classes.counts_at(end, y) == counts)
         end++;

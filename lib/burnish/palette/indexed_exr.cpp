@@ -4,17 +4,21 @@
 #include <ImfFloatVectorAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfIntAttribute.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <ImfTestFile.h>
+#include <ImfThreading.h>
 #include <ImfTiledInputFile.h>
 #include <ImfTiledOutputFile.h>
 
 #include <algorithm>
 
+#include "burnish/core/checked_file.h"
 #include "burnish/core/error.h"
+#include "burnish/core/parallel.h"
 #include "burnish/palette/indexed_files.h"
 
 namespace burnish::detail {
@@ -23,8 +27,48 @@ namespace {
 constexpr const char* kChannel = "index";
 constexpr int kTile = 64;
 
-Error codec_error(ErrorKind kind, const FileRef& file, const std::exception& error) {
-  return file_error(kind, file.name, error.what());
+Error codec_error(const FileRef& file, const std::exception& error) {
+  return file_error(ErrorKind::kMalformed, file.name, error.what());
+}
+
+// A CheckedFile as the library takes it; its own stream passes over a full disk when it closes.
+class CheckedStream final : public Imf::OStream {
+ public:
+  explicit CheckedStream(const FileRef& file) : OStream(file.name.c_str()), file_(file.path), name_(file.name) { check(); }
+  void write(const char bytes[], int n) override {
+    file_.write(bytes, std::size_t(n));
+    check();
+  }
+  std::uint64_t tellp() override { return std::uint64_t(file_.position()); }
+  void seekp(std::uint64_t position) override { file_.seek(std::int64_t(position)); }
+  // After what writes to it is gone.
+  void close() {
+    file_.close();
+    check();
+  }
+
+ private:
+  void check() const {
+    if (file_.first_error()) throw file_.error(name_);
+  }
+  CheckedFile file_;
+  std::string name_;
+};
+
+// Runs body(stream) and sees to it that all of it has reached the disk.
+template <typename Body>
+void write_checked(const FileRef& file, const Body& body) {
+  Imf::setGlobalThreadCount(thread_limit() > 1 ? thread_limit() : 0);
+  CheckedStream stream(file);
+  try {
+    body(stream);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    stream.close();  // says why, if it was the disk
+    throw file_error(ErrorKind::kIo, file.name, std::string("cannot be written: ") + error.what());
+  }
+  stream.close();
 }
 
 void insert_palette(Imf::Header& header, const Palette& palette) {
@@ -96,6 +140,7 @@ bool is_indexed_exr(const FileRef& file) {
 }
 
 IndexedMap read_indexed_exr(const FileRef& file) {
+  Imf::setGlobalThreadCount(thread_limit() > 1 ? thread_limit() : 0);
   try {
     IndexedMap map;
     const bool tiled = Imf::isTiledOpenExrFile(file.path.c_str());
@@ -137,17 +182,17 @@ IndexedMap read_indexed_exr(const FileRef& file) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    throw codec_error(ErrorKind::kMalformed, file, error);
+    throw codec_error(file, error);
   }
 }
 
 void write_indexed_exr(const FileRef& file, const IndexedMap& map) {
-  try {
-    Imf::Header header(map.width(), map.height());
-    header.channels().insert(kChannel, Imf::Channel(Imf::UINT));
-    insert_palette(header, map.palette);
+  Imf::Header header(map.width(), map.height());
+  header.channels().insert(kChannel, Imf::Channel(Imf::UINT));
+  insert_palette(header, map.palette);
+  write_checked(file, [&](CheckedStream& stream) {
     if (map.levels.size() == 1) {
-      Imf::OutputFile out(file.path.c_str(), header);
+      Imf::OutputFile out(stream, header);
       constexpr int kRows = 256;  // many blocks of 16 lines, so that threads have work, and no second copy of the map
       std::vector<std::uint32_t> band;
       for (int y = 0; y < map.height(); y += kRows) {
@@ -159,7 +204,7 @@ void write_indexed_exr(const FileRef& file, const IndexedMap& map) {
       return;
     }
     header.setTileDescription(Imf::TileDescription(kTile, kTile, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN));
-    Imf::TiledOutputFile out(file.path.c_str(), header);
+    Imf::TiledOutputFile out(stream, header);
     if (out.numLevels() != int(map.levels.size()))
       throw file_error(ErrorKind::kUnsupported, file.name,
                        "EXR holds one level or all " + std::to_string(out.numLevels()) + ", not " +
@@ -175,11 +220,7 @@ void write_indexed_exr(const FileRef& file, const IndexedMap& map) {
         out.writeTiles(0, out.numXTiles(l) - 1, ty, last, l);
       }
     }
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw codec_error(ErrorKind::kIo, file, error);
-  }
+  });
 }
 
 std::optional<Palette> read_palette_exr(const FileRef& file) {
@@ -190,26 +231,24 @@ std::optional<Palette> read_palette_exr(const FileRef& file) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    throw codec_error(ErrorKind::kMalformed, file, error);
+    throw codec_error(file, error);
   }
 }
 
 void write_palette_exr(const FileRef& file, const Palette& palette) {
-  try {
-    const int n = int(palette.normals.size());
-    Imf::Header header(n, 1);
-    for (const char* channel : {"R", "G", "B"}) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
-    insert_palette(header, palette);
-    Imf::FrameBuffer buffer;
-    char* base = reinterpret_cast<char*>(const_cast<Vec3f*>(palette.normals.data()));
-    for (int c = 0; c < 3; c++)
-      buffer.insert(std::string(1, "RGB"[c]), Imf::Slice(Imf::FLOAT, base + c * sizeof(float), sizeof(Vec3f), sizeof(Vec3f) * n));
-    Imf::OutputFile out(file.path.c_str(), header);
+  const int n = int(palette.normals.size());
+  Imf::Header header(n, 1);
+  for (const char* channel : {"R", "G", "B"}) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+  insert_palette(header, palette);
+  Imf::FrameBuffer buffer;
+  char* base = reinterpret_cast<char*>(const_cast<Vec3f*>(palette.normals.data()));
+  for (int c = 0; c < 3; c++)
+    buffer.insert(std::string(1, "RGB"[c]), Imf::Slice(Imf::FLOAT, base + c * sizeof(float), sizeof(Vec3f), sizeof(Vec3f) * n));
+  write_checked(file, [&](CheckedStream& stream) {
+    Imf::OutputFile out(stream, header);
     out.setFrameBuffer(buffer);
     out.writePixels(1);
-  } catch (const std::exception& error) {
-    throw codec_error(ErrorKind::kIo, file, error);
-  }
+  });
 }
 
 }  // namespace burnish::detail

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "burnish/core/checked_file.h"
 #include "burnish/core/error.h"
 #include "burnish/palette/indexed_files.h"
 
@@ -92,15 +93,19 @@ struct Reader {
 struct Writer {
   png_structp png = nullptr;
   png_infop info = nullptr;
-  File stream;
+  CheckedFile file;
+  std::string name;
 
-  Writer() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_error, on_warning)) {
+  explicit Writer(const FileRef& to)
+      : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_error, on_warning)), file(to.path), name(to.name) {
     info = png_create_info_struct(png);
-  }
-  explicit Writer(const FileRef& file) : Writer() {
-    stream.reset(std::fopen(file.path.c_str(), "wb"));
-    if (!stream) throw file_error(ErrorKind::kIo, file.name, "cannot be written");
-    png_init_io(png, stream.get());
+    png_set_write_fn(
+        png, this,
+        [](png_structp p, png_bytep bytes, std::size_t size) {
+          Writer& writer = *static_cast<Writer*>(png_get_io_ptr(p));
+          if (writer.file.write(bytes, size) != size) throw writer.file.error(writer.name);
+        },
+        nullptr);
     png_set_compression_level(png, 6);
   }
   ~Writer() { png_destroy_write_struct(&png, &info); }
@@ -116,14 +121,16 @@ struct Writer {
     text.lang = text.lang_key = const_cast<char*>("");
     png_set_text(png, info, &text, 1);
   }
-  void finish(const FileRef& file) {
+  void finish() {
     png_write_end(png, info);
-    if (std::fclose(stream.release()) != 0) throw file_error(ErrorKind::kIo, file.name, "cannot be written: disk full?");
+    file.close();
+    if (file.first_error()) throw file.error(name);
   }
 };
 
 png_byte to_byte(float v) { return png_byte((0.5f * v + 0.5f) * 255.f + 0.5f); }
 
+// Runs what calls libpng, and says in whose file it failed.
 template <typename Body>
 auto guarded(const FileRef& file, ErrorKind kind, const Body& body) {
   try {
@@ -201,7 +208,7 @@ void write_indexed_png(const FileRef& file, const IndexedMap& map) {
       if (small) std::copy_n(in, map.width(), row.begin());
       png_write_row(out.png, small ? row.data() : reinterpret_cast<const png_byte*>(in));
     }
-    out.finish(file);
+    out.finish();
   });
 }
 
@@ -220,7 +227,7 @@ void write_palette_png(const FileRef& file, const Palette& palette) {
     std::vector<png_byte> row;
     for (const Vec3f& n : palette.normals) row.insert(row.end(), {to_byte(n.x), to_byte(n.y), to_byte(n.z)});
     png_write_row(out.png, row.data());
-    out.finish(file);
+    out.finish();
   });
 }
 

@@ -22,6 +22,9 @@ class KeyTable {
   // The number of a key that is there.
   std::uint32_t at(std::uint64_t key) const { return slots_[find(key)].value; }
 
+  // Brings a key's slot near; looking keys up one by one is waiting for memory.
+  void prefetch(std::uint64_t key) const { __builtin_prefetch(&slots_[home(key)]); }
+
   template <typename Body>
   void for_each(const Body& body) const {
     for (const Slot& s : slots_)
@@ -34,8 +37,9 @@ class KeyTable {
     std::uint64_t key = kFree;
     std::uint32_t value = 0;
   };
+  std::size_t home(std::uint64_t key) const { return (key * 0x9e3779b97f4a7c15u) >> shift_; }
   std::size_t find(std::uint64_t key) const {
-    std::size_t i = (key * 0x9e3779b97f4a7c15u) >> shift_;
+    std::size_t i = home(key);
     while (slots_[i].key != key && slots_[i].key != kFree) i = (i + 1) & (slots_.size() - 1);
     return i;
   }

@@ -47,8 +47,10 @@ void TexelKeys::read_rows(int first, int count, std::uint64_t* keys) {
   std::vector<std::byte> band;
   const std::byte* samples;
   if (!whole_.empty()) {
-    if (!loaded_) load(0, height(), whole_.data());
-    loaded_ = true;
+    if (first + count > loaded_rows_) {
+      load(loaded_rows_, first + count - loaded_rows_, whole_.data() + row_bytes_ * loaded_rows_);
+      loaded_rows_ = first + count;
+    }
     samples = whole_.data() + row_bytes_ * first;
   } else {
     band.resize(row_bytes_ * count);

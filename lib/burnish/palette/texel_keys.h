@@ -33,7 +33,7 @@ class TexelKeys {
   enum class Packing { kBytes, kWords, kHalves, kOctahedral } packing_;
   std::size_t row_bytes_;
   std::vector<std::byte> whole_;  // all rows as stored; empty where they are too many
-  bool loaded_ = false;
+  int loaded_rows_ = 0;           // of them, those that have been read
 };
 
 }  // namespace burnish
