@@ -120,12 +120,12 @@ Imf::FrameBuffer frame_buffer(std::uint32_t* data, int width, int first_row) {
   return buffer;
 }
 
-// A file of a few bytes must not make us ask for terabytes.
 void require_sane_size(const Imf::Header& header, const FileRef& file) {
   const Imath::Box2i window = header.dataWindow();
   const std::int64_t w = std::int64_t(window.max.x) - window.min.x + 1, h = std::int64_t(window.max.y) - window.min.y + 1;
   if (window.min.x != 0 || window.min.y != 0 || w < 1 || h < 1 || w > 1 << 20 || h > 1 << 20 || w * h > std::int64_t(1) << 32)
     throw file_error(ErrorKind::kMalformed, file.name, "expected a data window from (0,0) of sensible size");
+  require_room_for(file, w, h, 16);  // halves are the smallest samples of an EXR
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "burnish/palette/indexed_map.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -103,11 +104,19 @@ std::string materials_to_json(const std::vector<MaterialInterval>& materials) {
 
 std::vector<MaterialInterval> materials_from_json(const std::string& text, const std::string& file_name) {
   std::vector<MaterialInterval> out;
+  const auto refuse = [&] {
+    return file_error(ErrorKind::kMalformed, file_name, "expected a list of material intervals in burnish:materials");
+  };
+  // Fractions would be cut off, and numbers beyond an int wrap.
+  const auto number = [&](const nlohmann::json& v) {
+    if (!v.is_number_integer() || v < 0 || v > kMaxPaletteSize) throw refuse();
+    return v.get<int>();
+  };
   try {
     for (const nlohmann::json& m : nlohmann::json::parse(text))
-      out.push_back({m.at("id").get<int>(), m.at("first").get<int>(), m.at("count").get<int>()});
+      out.push_back({number(m.at("id")), number(m.at("first")), number(m.at("count"))});
   } catch (const nlohmann::json::exception&) {
-    throw file_error(ErrorKind::kMalformed, file_name, "expected a list of material intervals in burnish:materials");
+    throw refuse();
   }
   return out;
 }
@@ -116,6 +125,15 @@ NormalSpace space_from_name(const std::string& text, const std::string& file_nam
   if (text == "tangent") return NormalSpace::kTangent;
   if (text == "object") return NormalSpace::kObject;
   throw file_error(ErrorKind::kMalformed, file_name, "expected burnish:space tangent or object, got '" + text + "'");
+}
+
+void require_room_for(const FileRef& file, std::int64_t width, std::int64_t height, std::int64_t bits) {
+  constexpr std::uint64_t kMostExpansion = 1032;  // of deflate
+  std::error_code unknown;
+  const std::uint64_t bytes = std::filesystem::file_size(file.path, unknown);
+  if (!unknown && std::uint64_t(width) * std::uint64_t(height) / 8 * std::uint64_t(bits) > kMostExpansion * bytes)
+    throw file_error(ErrorKind::kMalformed, file.name, "is too short for " + std::to_string(width) + "x" +
+                                                           std::to_string(height) + " texels");
 }
 
 void validate(Palette& palette, const std::string& file_name) {

@@ -169,6 +169,7 @@ IndexedMap read_indexed_png(const FileRef& file, GreenAxis green) {
       map.palette.materials = {{0, 0, count}};
     }
     const int depth = png_get_bit_depth(in.png, in.info);
+    require_room_for(file, png_get_image_width(in.png, in.info), png_get_image_height(in.png, in.info), depth);
     png_set_packing(in.png);
     if (depth == 16) png_set_swap(in.png);
     png_set_interlace_handling(in.png);
