@@ -89,6 +89,7 @@ bool count_exactly(TexelKeys& texels, const TexelClasses& classes, const Progres
   if (!complete) return false;
   KeyTable counts;
   for (const KeyTable& lane : lanes) {
+    counts.reserve(lane.size());
     lane.for_each([&](std::uint64_t key, std::uint32_t n) { counts[key] += n; });
     if (counts.size() > kMostDistinct) return false;
   }
@@ -121,6 +122,7 @@ class Bins {
   }
   void add(const Bins& other) {
     while (shift_ < other.shift_) coarsen();
+    place_.reserve(other.place_.size());
     other.place_.for_each([&](std::uint64_t key, std::uint32_t place) { add(key, other.sums_[place - 1]); });
   }
   // body(material, counts, mean normal, texels), in ascending order of material.
@@ -158,6 +160,7 @@ class Bins {
   void coarsen() {
     Bins next;
     next.shift_ = shift_ + 1;
+    next.place_.reserve(place_.size());
     place_.for_each([&](std::uint64_t key, std::uint32_t place) { next.add(key, sums_[place - 1]); });
     *this = std::move(next);
   }

@@ -12,6 +12,12 @@ class KeyTable {
 
   std::size_t size() const { return size_; }
 
+  // Room for so many keys. To be called before another table's keys are taken over: for_each gives them in the order of their hashes,
+  // which crowds the front of a smaller table until it grows.
+  void reserve(std::size_t keys) {
+    while (2 * keys >= slots_.size()) grow();
+  }
+
   // The number of a key, 0 when it is new. The reference holds until the next call. Keys are below 2^64 − 1.
   std::uint32_t& operator[](std::uint64_t key) {
     if (2 * size_ >= slots_.size()) grow();
