@@ -14,6 +14,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
+#include "burnish/palette/library_versions.h"
 #include "cli/depfile.h"
 #include "cli/exit_code.h"
 #include "cli/version.h"
@@ -59,7 +60,8 @@ Tool::Tool(const ToolText& text) : text_(text), app_(text.summary, text.name) {
               "4 internal, 5 not supported, 10 a check or threshold was not met.");
   app_.set_help_flag("-h,--help", "Print this help and exit");
   app_.set_version_flag("--version", [] {
-    return std::string("burnish " BURNISH_VERSION " (" BURNISH_GIT_DESCRIBE "), " BURNISH_COMPILER ", ") + codec_version();
+    return std::string("burnish " BURNISH_VERSION " (" BURNISH_GIT_DESCRIBE "), " BURNISH_COMPILER ", ") + codec_version() + ", " + palette_library_versions() +
+           ", oneTBB " + thread_library_version() + ", CLI11 " CLI11_VERSION;
   });
   app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   app_.add_flag("-q,--quiet", quiet_, "Nothing on standard error but errors")->group("Common");

@@ -8,9 +8,11 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/version.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace burnish {
@@ -26,6 +28,11 @@ class ThreadLimit {
  private:
   tbb::global_control control_;
 };
+
+// "2021.8"
+inline std::string thread_library_version() {
+  return std::to_string(TBB_VERSION_MAJOR) + "." + std::to_string(TBB_VERSION_MINOR);
+}
 
 // How many threads may run now; for libraries that keep threads of their own.
 inline int thread_limit() { return int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)); }

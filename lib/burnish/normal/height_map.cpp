@@ -13,11 +13,11 @@
 namespace burnish {
 namespace {
 
-// acos on [0,1] to 2e-8 (Abramowitz & Stegun 4.4.46): for the report, where libm's would cost as much as the fit.
-double arc_cosine(double x) {
-  const double p = 1.5707963050 + x * (-0.2145988016 + x * (0.0889789874 + x * (-0.0501743046 +
-                   x * (0.0308918810 + x * (-0.0170881256 + x * (0.0066700901 + x * -0.0012624911))))));
-  return std::sqrt(std::max(0.0, 1.0 - x)) * p;
+// atan on [0,1] to 2e-8 (Abramowitz & Stegun 4.4.49): for the report, where libm's would cost as much as the fit.
+double arc_tangent(double x) {
+  const double y = x * x;
+  return x * (1 + y * (-0.3333314528 + y * (0.1999355085 + y * (-0.1420889944 + y * (0.1065626393 + y * (-0.0752896400 +
+             y * (0.0429096138 + y * (-0.0161657367 + y * 0.0028662257))))))));
 }
 
 // Which row or column stands at i, for i outside [0, n) too; −1: none.
@@ -60,7 +60,7 @@ struct Band {
   std::vector<float> displacement;    // (rows + 2·radius) × stride, of values in [0,1] or as the file has them
   std::vector<std::uint8_t> exists;   // same shape; empty where every texel does
   std::vector<std::byte> encoded;
-  double tilt_sum = 0, least_z = 1;
+  double tilt_sum = 0, steepest = 0;  // of angles; tangent of half the largest
   std::size_t taking_part = 0, degenerate = 0;
 };
 
@@ -331,16 +331,18 @@ class BandFitter {
     const std::uint8_t* exists =
         band.exists.empty() ? nullptr : band.exists.data() + std::size_t(y + r) * band.stride + r;
     double sum = 0;
-    float least = 1;
+    float steepest = 0;
     std::size_t count = 0;
     for (int x = 0; x < width_; x++) {
       if (exists && !exists[x]) continue;
-      sum += arc_cosine(normals[x].z);
-      least = std::min(least, normals[x].z);
+      const Vec3f n = normals[x];
+      const float half = std::sqrt(n.x * n.x + n.y * n.y) / (1.f + n.z);  // tangent of half the angle, exact near 0 too
+      sum += 2 * arc_tangent(half);
+      steepest = std::max(steepest, half);
       count++;
     }
     band.tilt_sum += sum;
-    band.least_z = std::min<double>(band.least_z, least);
+    band.steepest = std::max<double>(band.steepest, steepest);
     band.taking_part += count;
   }
 
@@ -368,7 +370,7 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
   const BandFitter fitter(neighborhood, options, stats.width, stats.height, target);
   ImageWriter writer(target.file, target.type, target.sample, stats.width, stats.height, 3);
 
-  double tilt_sum = 0, least_z = 1;
+  double tilt_sum = 0, steepest = 0;
   std::size_t taking_part = 0;
   const bool stored = target.sample == SampleType::kUint8 || target.sample == SampleType::kUint16;
   const auto read = [&](tbb::flow_control& flow) -> std::shared_ptr<Band> {
@@ -388,7 +390,7 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
     else
       writer.write_rows(band->rows, reinterpret_cast<const float*>(band->encoded.data()));
     tilt_sum += band->tilt_sum;
-    least_z = std::min(least_z, band->least_z);
+    steepest = std::max(steepest, band->steepest);
     taking_part += band->taking_part;
     stats.degenerate_texels += band->degenerate;
     report_progress(progress, double(band->first + band->rows) / stats.height);
@@ -399,7 +401,7 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
                              tbb::make_filter<std::shared_ptr<Band>, std::shared_ptr<Band>>(tbb::filter_mode::parallel, fit) &
                              tbb::make_filter<std::shared_ptr<Band>, void>(tbb::filter_mode::serial_in_order, write));
   writer.close();
-  stats.max_slope_deg = degrees(std::acos(std::min(1.0, least_z)));
+  stats.max_slope_deg = degrees(2 * std::atan(steepest));
   stats.mean_tilt_deg = taking_part ? degrees(tilt_sum / double(taking_part)) : 0;
   stats.colour_channels_differ = source.colour_channels_differ();
   return stats;

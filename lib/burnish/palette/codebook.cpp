@@ -415,7 +415,7 @@ Codebook fit_codebook(std::span<const std::vector<WeightedNormal>> points, int n
     else
       restore(groups, before);
   }
-  lloyd_until_still(groups, 50, 2e-4);
+  lloyd_until_still(groups, 60, 5e-5);
   best.error = lloyd(groups, 0);
   for (const Cells& cells : groups) best.groups.push_back(cells.centres);
   return best;
