@@ -47,7 +47,8 @@ bool for_each_row(TexelKeys& texels, const Progress& progress, const Body& body)
 // Groups from (material, normal, count) in ascending order of material. A material that is masked out whole still needs
 // entries: its texels then count once each.
 void make_groups(const std::vector<Histogram::Key>& keys, Histogram& out) {
-  std::vector<char> counts(out.material.size());
+  std::vector<char>& counts = out.counts;
+  counts.resize(out.material.size());
   for (const Histogram::Key& k : keys) counts[k.group] |= k.count > 0;
   out.groups.resize(out.material.size());
   for (const Histogram::Key& k : keys)

@@ -28,6 +28,7 @@ struct TexelClasses {
 struct Histogram {
   std::vector<int> material;                        // ids that occur, ascending
   std::vector<std::vector<WeightedNormal>> groups;  // of each: distinct normals and their counts; never empty
+  std::vector<char> counts;                         // of each: whether any texel does; otherwise its points stand in, once each
   std::size_t texels = 0;                           // that count
   std::size_t distinct = 0;                         // (material, normal) pairs among them; bins where not exact
   std::size_t invalid_texels = 0;                   // vectors without a direction

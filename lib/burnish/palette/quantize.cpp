@@ -76,6 +76,7 @@ std::vector<EntryRange> entry_ranges(const Palette& palette, const std::vector<i
 AngleStats nearest_angles(const Histogram& histogram, const Palette& palette, const std::vector<EntryRange>& ranges) {
   AngleStats total;
   for (std::size_t g = 0; g < histogram.groups.size(); g++) {
+    if (!histogram.counts[g]) continue;
     const std::vector<WeightedNormal>& points = histogram.groups[g];
     total += parallel_sum<AngleStats>(points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
       AngleStats s;
@@ -89,32 +90,49 @@ AngleStats nearest_angles(const Histogram& histogram, const Palette& palette, co
   return total;
 }
 
-// The smallest palette that meets the target: doubling, then bisection.
+// The smallest palette that meets the target, between one that fails and the next, which does not. Errors fall with the root
+// of the size, so a measured palette foretells where to look next; where that narrows too little, the middle is taken.
 Palette fit_to_target(const Histogram& histogram, const QuantizeOptions& o) {
   const int most = o.engine == Engine::kImagequant ? kImagequantMost : kMaxPaletteSize;
   const int least = std::max<int>(1, int(histogram.groups.size()));
-  Palette best;
-  double reached = 0;
-  const auto meets = [&](int n) {
-    Palette p = to_palette(fit(histogram, o.engine, n, {}), histogram.material, o.space);
-    reached = nearest_angles(histogram, p, entry_ranges(p, histogram.material, "palette")).rms_deg();
-    if (reached > *o.target_error_deg) return false;
-    best = std::move(p);
-    return true;
+  struct Measured {
+    int size;
+    double rms_deg;
+    Palette palette;
   };
-  int fails = least - 1, n = std::max(2, least);
-  while (!meets(n)) {
-    if (n >= most)
+  const auto measure = [&](int n) {
+    Measured m{n, 0, to_palette(fit(histogram, o.engine, n, {}), histogram.material, o.space)};
+    m.rms_deg = nearest_angles(histogram, m.palette, entry_ranges(m.palette, histogram.material, "palette")).rms_deg();
+    return m;
+  };
+  const auto foretold = [&](const Measured& m) {
+    const double ratio = *o.target_error_deg > 0 ? m.rms_deg / *o.target_error_deg : most;
+    return std::min(double(most), m.size * ratio * ratio);
+  };
+
+  Measured good = measure(std::clamp(256, least, most));
+  int fails = least - 1;
+  while (good.rms_deg > *o.target_error_deg) {
+    if (good.size >= most)
       throw Error(ErrorKind::kThreshold, "target error: expected an RMS angle of at most " + std::to_string(*o.target_error_deg) +
-                                             " degrees, got " + std::to_string(reached) + " with " + std::to_string(most) + " normals");
-    fails = n;
-    n = std::min(most, 2 * n);
+                                             " degrees, got " + std::to_string(good.rms_deg) + " with " + std::to_string(most) +
+                                             " normals");
+    fails = good.size;
+    good = measure(std::clamp(int(foretold(good) * 1.02) + 1, fails + 1, most));
   }
-  for (int good = n; good - fails > 1;) {
-    const int middle = fails + (good - fails) / 2;
-    (meets(middle) ? good : fails) = middle;
+  double guess = foretold(good);
+  for (bool halve = false; good.size - fails > 1;) {
+    const int interval = good.size - fails;
+    const int n = halve ? fails + interval / 2 : std::clamp(int(guess), fails + 1, good.size - 1);
+    Measured m = measure(n);
+    guess = foretold(m);
+    if (m.rms_deg > *o.target_error_deg)
+      fails = n;
+    else
+      good = std::move(m);
+    halve = !halve && (good.size - fails) * 2 > interval;
   }
-  return best;
+  return std::move(good.palette);
 }
 
 // Index of every texel.
