@@ -29,6 +29,11 @@ void check(const QuantizeOptions& o) {
                 "the engine imagequant holds at most 256 normals, not " + std::to_string(o.normals));
 }
 
+Progress part_of(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [=](double f) { progress(from + f * (to - from)); };
+}
+
 // Entries of each group, in the order of the curve.
 using Groups = std::vector<std::vector<Vec3f>>;
 
@@ -92,7 +97,7 @@ AngleStats nearest_angles(const Histogram& histogram, const Palette& palette, co
 
 // The smallest palette that meets the target, between one that fails and the next, which does not. Errors fall with the root
 // of the size, so a measured palette foretells where to look next; where that narrows too little, the middle is taken.
-Palette fit_to_target(const Histogram& histogram, const QuantizeOptions& o) {
+Palette fit_to_target(const Histogram& histogram, const QuantizeOptions& o, const Progress& progress) {
   const int most = o.engine == Engine::kImagequant ? kImagequantMost : kMaxPaletteSize;
   const int least = std::max<int>(1, int(histogram.groups.size()));
   struct Measured {
@@ -121,6 +126,7 @@ Palette fit_to_target(const Histogram& histogram, const QuantizeOptions& o) {
     good = measure(std::clamp(int(foretold(good) * 1.02) + 1, fails + 1, most));
   }
   double guess = foretold(good);
+  const int interval_at_first = good.size - fails;
   for (bool halve = false; good.size - fails > 1;) {
     const int interval = good.size - fails;
     const int n = halve ? fails + interval / 2 : std::clamp(int(guess), fails + 1, good.size - 1);
@@ -131,6 +137,7 @@ Palette fit_to_target(const Histogram& histogram, const QuantizeOptions& o) {
     else
       good = std::move(m);
     halve = !halve && (good.size - fails) * 2 > interval;
+    report_progress(progress, 1 - double(good.size - fails) / interval_at_first);
   }
   return std::move(good.palette);
 }
@@ -263,11 +270,6 @@ class Mapper {
   std::vector<std::uint16_t> nearest_;
 };
 
-Progress part_of(const Progress& progress, double from, double to) {
-  if (!progress) return {};
-  return [=](double f) { progress(from + f * (to - from)); };
-}
-
 }  // namespace
 
 QuantizeResult quantize_normal_map(const FileRef& file, const QuantizeOptions& options, const Progress& progress) {
@@ -282,7 +284,7 @@ QuantizeResult quantize_normal_map(const FileRef& file, const QuantizeOptions& o
 
   QuantizeResult result;
   result.map.palette = given                      ? std::move(*given)
-                       : options.target_error_deg ? fit_to_target(histogram, options)
+                       : options.target_error_deg ? fit_to_target(histogram, options, part_of(progress, 0.3, 0.8))
                                                   : to_palette(fit(histogram, options.engine, options.normals, part_of(progress, 0.3, 0.8)),
                                                                histogram.material, options.space);
   const Palette& palette = result.map.palette;
