@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
     options.levels = levels;
     const FileRef chain = output.path.empty() ? FileRef() : tool.write(output.path);
     IndexedMap map = read_indexed_map(file, options.coding.green);
+    output.require_format(type, map.palette.normals.size());
     const std::vector<MipLevelStats> stats = build_index_mips(map, options, tool.progress());
     if (!chain.empty()) write_indexed_map(chain, type, map);
     if (!split.empty())

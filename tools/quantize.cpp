@@ -10,15 +10,6 @@ using namespace burnish::cli;
 
 namespace {
 
-// What an indexed map is stored as follows from its size and type; -d may only say so.
-void require_format(const IndexedOutput& output, FileType type, std::size_t normals) {
-  const std::string stored = type == FileType::kExr ? "uint32" : normals <= 256 ? "uint8" : "uint16";
-  if (!output.format.empty() && output.format != stored)
-    throw file_error(ErrorKind::kUnsupported, output.path,
-                     std::string(name(type)) + " holds indices into " + std::to_string(normals) + " normals as " + stored +
-                         ", not " + output.format);
-}
-
 Json describe(const QuantizeResult& result) {
   const QuantizeStats& s = result.stats;
   Json materials = Json::array();
@@ -84,7 +75,7 @@ int main(int argc, char** argv) {
     const FileRef file = tool.write(output.path);
     const FileRef palette_file = with_palette ? tool.write(palette_output) : FileRef();
     const QuantizeResult result = quantize_normal_map(normals, options, tool.progress());
-    require_format(output, type, result.map.palette.normals.size());
+    output.require_format(type, result.map.palette.normals.size());
     write_indexed_map(file, type, result.map);
     if (with_palette) write_palette(palette_file, palette_type, result.map.palette);
     return describe(result);

@@ -56,6 +56,14 @@ void IndexedOutput::add_to(CLI::App& app) { add_output(app, path, format, output
 
 FileType IndexedOutput::type() const { return require_indexed(type_of_output(path, output_type), path); }
 
+void IndexedOutput::require_format(FileType type, std::size_t normals) const {
+  const std::string stored = type == FileType::kExr ? "uint32" : normals <= 256 ? "uint8" : "uint16";
+  if (!format.empty() && format != stored)
+    throw file_error(ErrorKind::kUnsupported, path,
+                     std::string(name(type)) + " holds indices into " + std::to_string(normals) + " normals as " + stored +
+                         ", not " + format);
+}
+
 FileType indexed_file_type(const std::string& path) { return require_indexed(file_type_of(path), path); }
 
 SampleType ImageOutput::sample() const {

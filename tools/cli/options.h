@@ -58,6 +58,8 @@ struct IndexedOutput {
 
   void add_to(CLI::App& app);
   FileType type() const;
+  // What indices are stored as follows from the palette's size and the file's type; -d may only say so. kUnsupported otherwise.
+  void require_format(FileType type, std::size_t normals) const;
 };
 
 // A length such as 2, 2m, 10cm or 5mm; metres and plain numbers count alike. Throws CLI::ValidationError.
