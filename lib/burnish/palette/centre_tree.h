@@ -14,7 +14,9 @@ namespace burnish {
 
 class CentreTree {
  public:
-  // `members` are indices into `centres`, which must outlive the tree.
+  // Over all centres, which must outlive the tree or be given anew to refit().
+  explicit CentreTree(std::span<const Vec3f> centres) : CentreTree(centres, all_of(centres.size())) {}
+  // Over some, by index.
   CentreTree(std::span<const Vec3f> centres, std::vector<int> members) : centres_(centres), order_(std::move(members)) {
     if (order_.empty()) return;
     std::size_t leaves = 1;
@@ -52,6 +54,12 @@ class CentreTree {
   }
 
  private:
+  static std::vector<int> all_of(std::size_t n) {
+    std::vector<int> all(n);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
   static constexpr int kLeaf = 8;
   struct Node {
     Vec3f low, high;
