@@ -2,9 +2,11 @@
 //
 //   burnish-fixture make PATTERN WIDTH HEIGHT FILE [uint8|uint16|half|float]
 //   burnish-fixture info FILE                 width height channels sample-type
-//   burnish-fixture texel FILE COLUMN ROW …   samples as floats, integers divided by their maximum; a line a
-//   texel burnish-fixture same A B [TOLERANCE]      whether decoded samples differ by at most that; exit 1
-//   and a line where not
+//   burnish-fixture texel FILE COLUMN ROW …   samples as floats, integers over their maximum; a line a texel
+//   burnish-fixture text FILE                 8-bit samples as a plain PGM or PPM
+//   burnish-fixture same A B [TOLERANCE]      exit 1 and a line where decoded samples differ by more than
+//   that burnish-fixture digest FILE               an indexed map: sizes, intervals, entries to 1e-4, index
+//   hashes
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -19,6 +21,7 @@
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
 #include "burnish/core/vec3.h"
+#include "burnish/palette/indexed_map.h"
 
 using namespace burnish;
 
@@ -144,6 +147,22 @@ int same(const std::vector<std::string>& a) {
   return 1;
 }
 
+int digest(const std::vector<std::string>& a) {
+  const IndexedMap map = read_indexed_map(a.at(1));
+  for (const MaterialInterval& m : map.palette.materials)
+    std::printf("material %d: %d entries from %d\n", m.id, m.count, m.first);
+  for (const IndexImage& level : map.levels) {
+    std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
+    for (const std::uint16_t i : level.data)
+      for (const int byte : {i & 255, i >> 8}) hash = (hash ^ std::uint64_t(byte)) * 0x100000001b3u;
+    std::printf("level %dx%d: %016llx\n", level.width, level.height, static_cast<unsigned long long>(hash));
+  }
+  const auto rounded = [](float v) { return std::round(v * 1e4) / 1e4 + 0.0; };  // no -0
+  for (const Vec3f& n : map.palette.normals)
+    std::printf("%.4f %.4f %.4f\n", rounded(n.x), rounded(n.y), rounded(n.z));
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -154,7 +173,8 @@ int main(int argc, char** argv) {
     if (!a.empty() && a[0] == "texel") return texel(a);
     if (!a.empty() && a[0] == "text") return text(a);
     if (!a.empty() && a[0] == "same") return same(a);
-    std::fprintf(stderr, "burnish-fixture: expected make, info, texel, text or same\n");
+    if (!a.empty() && a[0] == "digest") return digest(a);
+    std::fprintf(stderr, "burnish-fixture: expected make, info, texel, text, same or digest\n");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "burnish-fixture: %s\n", error.what());
   }
