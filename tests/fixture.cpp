@@ -4,9 +4,8 @@
 //   burnish-fixture info FILE                 width height channels sample-type
 //   burnish-fixture texel FILE COLUMN ROW …   samples as floats, integers over their maximum; a line a texel
 //   burnish-fixture text FILE                 8-bit samples as a plain PGM or PPM
-//   burnish-fixture same A B [TOLERANCE]      exit 1 and a line where decoded samples differ by more than
-//   that burnish-fixture digest FILE               an indexed map: sizes, intervals, entries to 1e-4, index
-//   hashes
+//   burnish-fixture same A B [TOLERANCE]      exit 1 and a line where decoded samples differ by more
+//   burnish-fixture digest FILE               an indexed map: sizes, intervals, entries, hashes of indices
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
