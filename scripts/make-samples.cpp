@@ -1,4 +1,5 @@
-// Makes the inputs of the samples: a displacement map of paving stones, and the object-space normal map of a cratered planet.
+// Makes the inputs of the samples: a displacement map of paving stones, and the object-space normal map of a cratered
+// planet.
 //
 //   make-samples DIRECTORY [SIDE]      SIDE texels of the stones, 1024 by default
 //
@@ -49,7 +50,8 @@ double noise(Vec3d p, int seed, int period = 0) {
 
 double turbulence(Vec3d p, int octaves, int seed, int period = 0) {
   double sum = 0, amplitude = 0.5;
-  for (int o = 0; o < octaves; o++, amplitude *= 0.5, p = p * 2.0, period *= 2) sum += amplitude * noise(p, seed + o, period);
+  for (int o = 0; o < octaves; o++, amplitude *= 0.5, p = p * 2.0, period *= 2)
+    sum += amplitude * noise(p, seed + o, period);
   return sum;
 }
 
@@ -69,10 +71,8 @@ double stones(double u, double v) {
       const int sx = wrap(cx + i), sy = wrap(cy + j);
       const double dx = cx + i + 0.15 + 0.7 * hash(sx, sy, 1, 1) - x, dy = cy + j + 0.15 + 0.7 * hash(sx, sy, 2, 1) - y;
       const double d = std::sqrt(dx * dx + dy * dy);
-      if (d < first)
-        second = first, first = d, id = sx + kCells * sy, from = {dx, dy, 0};
-      else if (d < second)
-        second = d;
+      if (d < first) second = first, first = d, id = sx + kCells * sy, from = {dx, dy, 0};
+      else if (d < second) second = d;
     }
   const double edge = ramp(0.03, 0.35, second - first);
   const double tilt = 0.25 * ((hash(id, 3, 0, 2) - 0.5) * from.x + (hash(id, 4, 0, 2) - 0.5) * from.y);
@@ -103,7 +103,8 @@ double planet(Vec3d d, const std::vector<Crater>& all) {
   for (const Crater& c : all) {
     const double t = length(d - c.centre) / c.radius;
     if (t >= 1.6) continue;
-    const double bowl = t < 1 ? (t * t - 1) : 0, rim = 0.45 * std::exp(-std::pow((t - 1) / 0.22, 2)) * (1 - ramp(1.3, 1.6, t));
+    const double bowl = t < 1 ? (t * t - 1) : 0,
+                 rim = 0.45 * std::exp(-std::pow((t - 1) / 0.22, 2)) * (1 - ramp(1.3, 1.6, t));
     h += c.depth * (bowl + rim);
   }
   return 1 + h;
@@ -123,16 +124,19 @@ Image make_planet_normals(int w, int h) {
   Image image(w, h, 3);
   const auto direction = [](double u, double v) {
     const double longitude = 2 * kPi * (u - 0.5), latitude = kPi * (v - 0.5);
-    return Vec3d{std::cos(latitude) * std::sin(longitude), std::sin(latitude), std::cos(latitude) * std::cos(longitude)};
+    return Vec3d{std::cos(latitude) * std::sin(longitude), std::sin(latitude),
+                 std::cos(latitude) * std::cos(longitude)};
   };
   parallel_for(h, [&](std::size_t y) {
     for (int x = 0; x < w; x++) {
       const Vec3d d = direction((x + 0.5) / w, 1 - (double(y) + 0.5) / h);
       // Slopes along two tangents, so that the poles are like any other place.
-      const Vec3d t = normalized(std::abs(d.y) < 0.9 ? cross(Vec3d{0, 1, 0}, d) : cross(Vec3d{1, 0, 0}, d)), b = cross(d, t);
+      const Vec3d t = normalized(std::abs(d.y) < 0.9 ? cross(Vec3d{0, 1, 0}, d) : cross(Vec3d{1, 0, 0}, d)),
+                  b = cross(d, t);
       const double step = kPi / h;
       const auto point = [&](Vec3d q) { return normalized(q) * planet(normalized(q), all); };
-      const Vec3d n = normalized(cross(point(d + t * step) - point(d - t * step), point(d + b * step) - point(d - b * step)));
+      const Vec3d n =
+          normalized(cross(point(d + t * step) - point(d - t * step), point(d + b * step) - point(d - b * step)));
       float* out = image.at(x, int(y));
       out[0] = float(0.5 * n.x + 0.5), out[1] = float(0.5 * n.y + 0.5), out[2] = float(0.5 * n.z + 0.5);
     }

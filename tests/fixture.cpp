@@ -27,13 +27,12 @@ using namespace burnish;
 namespace {
 
 double bumps(double x, double y) {
-  return 0.5 + 0.2 * std::sin(0.37 * x + 0.11 * y) * std::cos(0.23 * y) +
-         0.15 * std::sin(0.05 * x - 0.31 * y) + 0.1 * std::cos(0.9 * x) * std::sin(0.7 * y);
+  return 0.5 + 0.2 * std::sin(0.37 * x + 0.11 * y) * std::cos(0.23 * y) + 0.15 * std::sin(0.05 * x - 0.31 * y) +
+         0.1 * std::cos(0.9 * x) * std::sin(0.7 * y);
 }
 
 double noise(int x, int y, int c) {
-  std::uint32_t h =
-      std::uint32_t(x) * 0x9e3779b1u ^ std::uint32_t(y) * 0x85ebca77u ^ std::uint32_t(c) * 0xc2b2ae3du;
+  std::uint32_t h = std::uint32_t(x) * 0x9e3779b1u ^ std::uint32_t(y) * 0x85ebca77u ^ std::uint32_t(c) * 0xc2b2ae3du;
   h = (h ^ (h >> 15)) * 0x2c1b3c6du;
   h = (h ^ (h >> 12)) * 0x297a2d39u;
   return (h ^ (h >> 15)) / 4294967296.0;
@@ -58,14 +57,11 @@ const std::map<std::string, Pattern>& patterns() {
       {"slope-u", {1, [](int x, int, int, int w, int) { return double(x) / w; }}},
       {"slope-v", {1, [](int, int y, int, int, int h) { return 1 - double(y) / h; }}},
       {"nan",
-       {1,
-        [](int x, int y, int, int w, int h) {
-          return x == w / 2 && y == h / 2 ? std::numeric_limits<double>::quiet_NaN() : bumps(x, y);
-        }}},
+       {1, [](int x, int y, int, int w,
+              int h) { return x == w / 2 && y == h / 2 ? std::numeric_limits<double>::quiet_NaN() : bumps(x, y); }}},
       // 0 where column and row are those of `nan`, and in a corner.
       {"mask",
-       {1,
-        [](int x, int y, int, int w, int h) { return (x == w / 2 && y == h / 2) || x + y < 3 ? 0.0 : 1.0; }}},
+       {1, [](int x, int y, int, int w, int h) { return (x == w / 2 && y == h / 2) || x + y < 3 ? 0.0 : 1.0; }}},
       {"empty-mask", {1, [](int, int, int, int, int) { return 0.0; }}},
       {"grey", {3, [](int x, int y, int, int, int) { return bumps(x, y); }}},
       {"colours", {3, [](int x, int y, int c, int, int) { return bumps(x + 7 * c, y); }}},
@@ -102,8 +98,7 @@ int make(const std::vector<std::string>& a) {
 
 int info(const std::vector<std::string>& a) {
   const ImageReader reader(a.at(1));
-  std::printf("%d %d %d %s\n", reader.width(), reader.height(), reader.channels(),
-              name(reader.sample_type()));
+  std::printf("%d %d %d %s\n", reader.width(), reader.height(), reader.channels(), name(reader.sample_type()));
   return 0;
 }
 
@@ -129,8 +124,8 @@ int same(const std::vector<std::string>& a) {
   const Image one = read_image(a.at(1)), two = read_image(a.at(2));
   const double tolerance = a.size() > 3 ? std::stod(a[3]) : 0;
   if (one.width != two.width || one.height != two.height || one.channels != two.channels) {
-    std::printf("%s is %dx%dx%d, %s is %dx%dx%d\n", a[1].c_str(), one.width, one.height, one.channels,
-                a[2].c_str(), two.width, two.height, two.channels);
+    std::printf("%s is %dx%dx%d, %s is %dx%dx%d\n", a[1].c_str(), one.width, one.height, one.channels, a[2].c_str(),
+                two.width, two.height, two.channels);
     return 1;
   }
   double worst = 0;
@@ -141,8 +136,8 @@ int same(const std::vector<std::string>& a) {
   }
   if (worst <= tolerance) return 0;
   const std::size_t t = at / one.channels;
-  std::printf("%s and %s differ by %g at column %zu, row %zu, channel %zu\n", a[1].c_str(), a[2].c_str(),
-              worst, t % one.width, t / one.width, at % one.channels);
+  std::printf("%s and %s differ by %g at column %zu, row %zu, channel %zu\n", a[1].c_str(), a[2].c_str(), worst,
+              t % one.width, t / one.width, at % one.channels);
   return 1;
 }
 
@@ -157,8 +152,7 @@ int digest(const std::vector<std::string>& a) {
     std::printf("level %dx%d: %016llx\n", level.width, level.height, static_cast<unsigned long long>(hash));
   }
   const auto rounded = [](float v) { return std::round(v * 1e4) / 1e4 + 0.0; };  // no -0
-  for (const Vec3f& n : map.palette.normals)
-    std::printf("%.4f %.4f %.4f\n", rounded(n.x), rounded(n.y), rounded(n.z));
+  for (const Vec3f& n : map.palette.normals) std::printf("%.4f %.4f %.4f\n", rounded(n.x), rounded(n.y), rounded(n.z));
   return 0;
 }
 

@@ -1,9 +1,8 @@
 // burnish-mipmap: the mip chain of a map.
-#include "burnish/palette/index_mips.h"
-
 #include <charconv>
 
 #include "burnish/core/error.h"
+#include "burnish/palette/index_mips.h"
 #include "cli/options.h"
 #include "cli/tool.h"
 
@@ -16,17 +15,20 @@ namespace {
 std::string level_name(const std::string& pattern, int level) {
   const std::size_t percent = pattern.find('%'), d = pattern.find('d', percent);
   const std::string width = d == std::string::npos ? "?" : pattern.substr(percent + 1, d - percent - 1);
-  if (width.size() > 2 || width.find_first_not_of("0123456789") != std::string::npos || pattern.find('%', percent + 1) != std::string::npos)
+  if (width.size() > 2 || width.find_first_not_of("0123456789") != std::string::npos ||
+      pattern.find('%', percent + 1) != std::string::npos)
     throw CLI::ValidationError("--split", "expected a name with one %d for the level, got '" + pattern + "'");
   std::string number = std::to_string(level);
-  if (!width.empty() && number.size() < std::size_t(std::stoi(width))) number.insert(0, std::stoi(width) - number.size(), width[0] == '0' ? '0' : ' ');
+  if (!width.empty() && number.size() < std::size_t(std::stoi(width)))
+    number.insert(0, std::stoi(width) - number.size(), width[0] == '0' ? '0' : ' ');
   return pattern.substr(0, percent) + number + pattern.substr(d + 1);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tool tool({"burnish-mipmap", "The mip chain of an indexed normal map: each coarser texel is the best entry for those below it.",
+  Tool tool({"burnish-mipmap",
+             "The mip chain of an indexed normal map: each coarser texel is the best entry for those below it.",
              "  burnish-mipmap rocks_q.exr -o rocks_m.exr\n"
              "  burnish-mipmap rocks_q.png --split 'rocks_%d.png' --source rocks_n.png"});
   CLI::App& app = tool.app();
@@ -41,16 +43,23 @@ int main(int argc, char** argv) {
   app.add_option("--kind", kind, "What MAP is; default: told from the file")
       ->check(CLI::IsMember({"indexed", "normal", "material", "ptm", "colour"}))
       ->type_name("KIND");
-  auto* from = add_choice<MipAverage>(app, "--from", options.average, {{"level", MipAverage::kLevel}, {"base", MipAverage::kBase}},
+  auto* from = add_choice<MipAverage>(app, "--from", options.average,
+                                      {{"level", MipAverage::kLevel}, {"base", MipAverage::kBase}},
                                       "Average the quantized level below (default) or the quantized base");
-  app.add_option("--source", source, "Average these unquantized normals of the base instead")->type_name("NORMAL")->excludes(from);
-  app.add_option("--levels", levels, "How many levels, with the base (default all)")->check(CLI::Range(1, 32))->type_name("N");
-  app.add_option("--split", split, "Write one file a level, named by a pattern such as 'name_%d.png'")->type_name("PATTERN");
+  app.add_option("--source", source, "Average these unquantized normals of the base instead")
+      ->type_name("NORMAL")
+      ->excludes(from);
+  app.add_option("--levels", levels, "How many levels, with the base (default all)")
+      ->check(CLI::Range(1, 32))
+      ->type_name("N");
+  app.add_option("--split", split, "Write one file a level, named by a pattern such as 'name_%d.png'")
+      ->type_name("PATTERN");
   add_normal_coding(app, options.coding, true);
 
   return tool.run(argc, argv, [&]() -> Json {
     if (output.path.empty() && split.empty()) throw Error(ErrorKind::kUsage, "--output or --split is required");
-    if (kind != "indexed") throw Error(ErrorKind::kUnsupported, "--kind " + kind + ": only indexed normal maps are provided");
+    if (kind != "indexed")
+      throw Error(ErrorKind::kUnsupported, "--kind " + kind + ": only indexed normal maps are provided");
     const FileType type = output.path.empty() ? FileType::kExr : output.type();
     const FileType split_type = split.empty() ? FileType::kExr : indexed_file_type(level_name(split, 0));
     const FileRef file = tool.read(input);
@@ -65,7 +74,8 @@ int main(int argc, char** argv) {
       for (std::size_t l = 0; l < map.levels.size(); l++)
         write_indexed_map(tool.write(level_name(split, int(l))), split_type, {map.palette, {map.levels[l]}});
     Json list = Json::array();
-    for (const MipLevelStats& s : stats) list.push_back({{"width", s.width}, {"height", s.height}, {"rms_deg", s.rms_deg}});
+    for (const MipLevelStats& s : stats)
+      list.push_back({{"width", s.width}, {"height", s.height}, {"rms_deg", s.rms_deg}});
     return {{"levels", list}};
   });
 }

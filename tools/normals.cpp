@@ -1,7 +1,6 @@
 // burnish-normals: displacement map to normal map.
-#include "burnish/normal/height_map.h"
-
 #include "burnish/core/error.h"
+#include "burnish/normal/height_map.h"
 #include "cli/options.h"
 #include "cli/tool.h"
 
@@ -10,7 +9,8 @@ using namespace burnish::cli;
 
 namespace {
 
-const Words<Wrap> kWraps{{"fit", Wrap::kFit}, {"clamp", Wrap::kClamp}, {"repeat", Wrap::kRepeat}, {"mirror", Wrap::kMirror}};
+const Words<Wrap> kWraps{
+    {"fit", Wrap::kFit}, {"clamp", Wrap::kClamp}, {"repeat", Wrap::kRepeat}, {"mirror", Wrap::kMirror}};
 
 // W[xH], each a length.
 void parse_size(const std::string& text, HeightMapOptions& options) {
@@ -59,9 +59,11 @@ int main(int argc, char** argv) {
   add_wrap("--wrap-u", wrap_u, "The same, for the left and right sides only");
   add_wrap("--wrap-v", wrap_v, "The same, for the top and bottom sides only");
   app.add_option("--mask", mask, "Texels where it is 0 take no part and store (0,0,1)")->type_name("FILE");
-  app.add_option("--mid-level", options.mid_level, "Stored value that means no displacement (default 0); no slope depends on it")
+  app.add_option("--mid-level", options.mid_level,
+                 "Stored value that means no displacement (default 0); no slope depends on it")
       ->type_name("M");
-  app.add_option("--channel", options.channel, "Channel of the heights, by name or by number from 0 (default the first)")
+  app.add_option("--channel", options.channel,
+                 "Channel of the heights, by name or by number from 0 (default the first)")
       ->type_name("C");
   add_normal_coding(app, coding, false);
 

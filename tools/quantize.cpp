@@ -15,9 +15,9 @@ Json describe(const QuantizeResult& result) {
   Json materials = Json::array();
   for (const MaterialInterval& m : result.map.palette.materials)
     materials.push_back({{"id", m.id}, {"first", m.first}, {"count", m.count}});
-  return {{"texels", s.texels},   {"normals", s.normals}, {"distinct_input_normals", s.distinct_input_normals},
-          {"rms_deg", s.rms_deg}, {"mean_deg", s.mean_deg}, {"p95_deg", s.p95_deg},
-          {"max_deg", s.max_deg}, {"lossless", s.lossless}, {"invalid_texels", s.invalid_texels},
+  return {{"texels", s.texels},    {"normals", s.normals},   {"distinct_input_normals", s.distinct_input_normals},
+          {"rms_deg", s.rms_deg},  {"mean_deg", s.mean_deg}, {"p95_deg", s.p95_deg},
+          {"max_deg", s.max_deg},  {"lossless", s.lossless}, {"invalid_texels", s.invalid_texels},
           {"materials", materials}};
 }
 
@@ -54,13 +54,16 @@ int main(int argc, char** argv) {
       app, "--engine", options.engine,
       {{"spherical", Engine::kSpherical}, {"median-cut", Engine::kMedianCut}, {"imagequant", Engine::kImagequant}},
       "How the palette is fitted (default spherical; median-cut is the paper's; imagequant holds at most 256)");
-  app.add_option("--palette", palette, "Use this palette, an indexed normal map or a palette file, instead of fitting one")
+  app.add_option("--palette", palette,
+                 "Use this palette, an indexed normal map or a palette file, instead of fitting one")
       ->type_name("FILE")
       ->excludes(count)
       ->excludes(target)
       ->excludes(engine);
-  app.add_option("--palette-output", palette_output, "Write the palette alone: an N x 1 image, .exr or .png")->type_name("FILE");
-  add_choice<NormalSpace>(app, "--space", options.space, {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}},
+  app.add_option("--palette-output", palette_output, "Write the palette alone: an N x 1 image, .exr or .png")
+      ->type_name("FILE");
+  add_choice<NormalSpace>(app, "--space", options.space,
+                          {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}},
                           "Space of the normals, recorded in the output (default tangent)");
   add_normal_coding(app, options.coding, true);
 

@@ -41,8 +41,7 @@ void check(const Options& o, const CLI::App& app) {
 FileType picture_type(const Options& o) {
   const FileType type = o.output.type();
   if (type != FileType::kPng && type != FileType::kExr)
-    throw Error(ErrorKind::kUnsupported,
-                "pictures are PNG (sRGB) or EXR (linear), not " + std::string(name(type)));
+    throw Error(ErrorKind::kUnsupported, "pictures are PNG (sRGB) or EXR (linear), not " + std::string(name(type)));
   return type;
 }
 
@@ -77,19 +76,16 @@ Json render(Tool& tool, const Options& o) {
   double table_ms = 0;
   for (int i = 0; i < o.frames; i++) {
     const FrameSettings settings{scene.path, scene.samples, 2 * kPi * i / o.frames, aovs};
-    const Frame frame = render_frame(scene, assets, settings,
-                                     [&](double done) { report_progress(progress, (i + done) / o.frames); });
+    const Frame frame =
+        render_frame(scene, assets, settings, [&](double done) { report_progress(progress, (i + done) / o.frames); });
     table_ms += frame.table_ms / o.frames;
-    write_image(
-        files[i][0], type, sample,
-        type == FileType::kPng ? srgb_picture(frame.colour, scene.image.exposure_stops) : frame.colour);
+    write_image(files[i][0], type, sample,
+                type == FileType::kPng ? srgb_picture(frame.colour, scene.image.exposure_stops) : frame.colour);
     for (std::size_t a = 0; a < aovs.size(); a++)
       write_image(files[i][a + 1], FileType::kExr, SampleType::kFloat, frame.aovs[a]);
   }
-  Json stats{{"path", name(scene.path)},
-             {"width", scene.image.width},
-             {"height", scene.image.height},
-             {"frames", o.frames}};
+  Json stats{
+      {"path", name(scene.path)}, {"width", scene.image.width}, {"height", scene.image.height}, {"frames", o.frames}};
   if (scene.path == RenderPath::kPalette) stats["table_ms"] = table_ms;
   return stats;
 }
@@ -128,23 +124,20 @@ Json validate(Tool& tool, const Options& o, std::filesystem::path& created) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tool tool({"burnish-render",
-             "Reference renderer: a scene to a picture, or a path held against its analytic twin.",
+  Tool tool({"burnish-render", "Reference renderer: a scene to a picture, or a path held against its analytic twin.",
              "  burnish-render rocks.toml -o rocks.png\n"
              "  burnish-render rocks.toml --frames 36 -o turn/rocks_%04d.png\n"
              "  burnish-render --validate rocks.toml --report-dir report"});
   CLI::App& app = tool.app();
   Options o;
-  app.add_option("SCENE", o.scene, "Scene in TOML (keys: samples/README.md); '-' is standard input")
-      ->required();
+  app.add_option("SCENE", o.scene, "Scene in TOML (keys: samples/README.md); '-' is standard input")->required();
   o.output.add_to(app);
   app.get_option("--output")
       ->required(false)
       ->description(
           "Picture to write: sRGB in PNG, linear in EXR; '-' is standard output; of several frames a pattern "
           "with %d or %04d");
-  app.add_option("--path", o.path, "Path to render by, instead of the scene's: analytic or palette")
-      ->type_name("NAME");
+  app.add_option("--path", o.path, "Path to render by, instead of the scene's: analytic or palette")->type_name("NAME");
   app.add_option("--frames", o.frames, "Pictures of a full turn of the lights, numbered from 0 (default 1)")
       ->check(CLI::Range(1, kMostFrameFiles))
       ->type_name("N");
@@ -165,7 +158,6 @@ int main(int argc, char** argv) {
     return o.validate ? validate(tool, o, created) : render(tool, o);
   });
   std::error_code ignored;
-  if (code != kOk && code != kThreshold && !created.empty())
-    std::filesystem::remove(created, ignored);  // empty by now
+  if (code != kOk && code != kThreshold && !created.empty()) std::filesystem::remove(created, ignored);  // empty by now
   return code;
 }

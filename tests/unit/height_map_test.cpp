@@ -27,8 +27,7 @@ struct Result {
   std::vector<Vec3f> normals;
 };
 
-Result convert(const ScratchDir& dir, const Image& heights, HeightMapOptions options,
-               const ByteImage* mask = nullptr) {
+Result convert(const ScratchDir& dir, const Image& heights, HeightMapOptions options, const ByteImage* mask = nullptr) {
   write_image(dir / "h.exr", FileType::kExr, SampleType::kFloat, heights);
   if (mask) {
     Image m(mask->width, mask->height);
@@ -84,8 +83,7 @@ Expected dense_fit(const Image& heights, const ByteImage* mask, const HeightMapO
       if (tx < 0 || ty < 0 || (mask && !*mask->at(tx, ty))) continue;
       const long double weight =
           o.weights == FitWeights::kUniform ? 1 : std::exp(-(i * i + j * j) / (2 * sigma * sigma));
-      points.push_back(
-          {i, j, weight, o.height * (static_cast<long double>(*heights.at(tx, ty)) - o.mid_level)});
+      points.push_back({i, j, weight, o.height * (static_cast<long double>(*heights.at(tx, ty)) - o.mid_level)});
     }
   bool plane = false;
   for (const Point& a : points)
@@ -115,8 +113,8 @@ Expected dense_fit(const Image& heights, const ByteImage* mask, const HeightMapO
 
 std::string describe(const HeightMapOptions& o, int w, int h, bool masked) {
   return std::to_string(w) + "x" + std::to_string(h) + " q " + std::to_string(o.neighbors) +
-         (o.weights == FitWeights::kUniform ? " uniform" : " gaussian") + " wrap " +
-         kWrapNames[int(o.wrap_u)] + "," + kWrapNames[int(o.wrap_v)] + (masked ? " masked" : "");
+         (o.weights == FitWeights::kUniform ? " uniform" : " gaussian") + " wrap " + kWrapNames[int(o.wrap_u)] + "," +
+         kWrapNames[int(o.wrap_v)] + (masked ? " masked" : "");
 }
 
 // The contract allows 0.02°; the arithmetic is good for much less.
@@ -192,8 +190,7 @@ TEST_P(AgainstDenseSolve, MasksOfManyDensities) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, AgainstDenseSolve,
                          ::testing::Values(std::pair{1, 1}, std::pair{1, 9}, std::pair{9, 1}, std::pair{2, 2},
-                                           std::pair{3, 5}, std::pair{5, 3}, std::pair{8, 9},
-                                           std::pair{21, 17}),
+                                           std::pair{3, 5}, std::pair{5, 3}, std::pair{8, 9}, std::pair{21, 17}),
                          [](const auto& i) {
                            return std::to_string(i.param.first) + "x" + std::to_string(i.param.second);
                          });
@@ -207,8 +204,7 @@ TEST(HeightMap, PhysicalUnitsAgainstTheDenseSolve) {
            {std::tuple{0.1, 2.0, 0.0}, std::tuple{5.0, 3.0, 40.0}, std::tuple{-2.0, 19.0, 13.0},
             std::tuple{0.0, 1.0, 1.0}, std::tuple{60.0, 0.0, 0.0}}) {
         HeightMapOptions o;
-        o.neighbors = q, o.wrap_u = o.wrap_v = wrap, o.height = height, o.size_u = u, o.size_v = v,
-        o.mid_level = 0.5;
+        o.neighbors = q, o.wrap_u = o.wrap_v = wrap, o.height = height, o.size_u = u, o.size_v = v, o.mid_level = 0.5;
         compare(dir, heights, o, nullptr);
         if (HasFatalFailure()) return;
       }
@@ -296,12 +292,10 @@ TEST(HeightMap, UnitsAndSizesScaleTheSlope) {
   HeightMapOptions o;
   o.height = 0.1, o.size_u = 2;  // 10 cm over 2 m: a texel is 20 cm
   const Vec3d expected = normalized(Vec3d{-(0.1 / 8) / 0.2, 0, 1});
-  for (const Vec3f& n : convert(dir, ramp, o).normals)
-    EXPECT_LT(degrees(angle_rad(Vec3d(n), expected)), 1e-4);
+  for (const Vec3f& n : convert(dir, ramp, o).normals) EXPECT_LT(degrees(angle_rad(Vec3d(n), expected)), 1e-4);
   o.height = -0.1;
   const Vec3d inverted = normalized(Vec3d{(0.1 / 8) / 0.2, 0, 1});
-  for (const Vec3f& n : convert(dir, ramp, o).normals)
-    EXPECT_LT(degrees(angle_rad(Vec3d(n), inverted)), 1e-4);
+  for (const Vec3f& n : convert(dir, ramp, o).normals) EXPECT_LT(degrees(angle_rad(Vec3d(n), inverted)), 1e-4);
 }
 
 TEST(HeightMap, MidLevelChangesNothing) {
@@ -355,15 +349,13 @@ TEST(PlaneFit, GaussianWeightsAreOfHalfTheRadius) {
 
 TEST(PlaneFit, OtherNeighbourhoodsAreRefused) {
   for (const int q : {-1, 0, 1, 5, 9, 25, 81, 120})
-    EXPECT_ERROR(make_neighborhood(q, FitWeights::kUniform), ErrorKind::kUsage,
-                 "expected 4, 8, 24, 48 or 80");
+    EXPECT_ERROR(make_neighborhood(q, FitWeights::kUniform), ErrorKind::kUsage, "expected 4, 8, 24, 48 or 80");
 }
 
 TEST(PlaneFit, PointsOnALineDetermineNothing) {
   const Neighborhood n = make_neighborhood(80, FitWeights::kUniform);
   const std::vector<float> d(n.taps.size(), 1.f);
-  for (const auto& [dx, dy] :
-       {std::pair{1, 0}, std::pair{0, 1}, std::pair{1, 1}, std::pair{1, -2}, std::pair{3, 1}}) {
+  for (const auto& [dx, dy] : {std::pair{1, 0}, std::pair{0, 1}, std::pair{1, 1}, std::pair{1, -2}, std::pair{3, 1}}) {
     std::vector<char> exists(n.taps.size());
     for (std::size_t i = 0; i < n.taps.size(); i++) exists[i] = n.taps[i].x * dy == n.taps[i].y * dx;
     EXPECT_FALSE(fit_plane(n, d.data(), reinterpret_cast<const bool*>(exists.data())).determined)

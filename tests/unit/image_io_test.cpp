@@ -27,11 +27,9 @@ struct Kind {
 const std::vector<Kind>& kinds() {
   using enum SampleType;
   static const std::vector<Kind> all{
-      {"x.png", FileType::kPng, kUint8},   {"x.png", FileType::kPng, kUint16},
-      {"x.tga", FileType::kTga, kUint8},   {"x.bmp", FileType::kBmp, kUint8},
-      {"x.tif", FileType::kTiff, kUint8},  {"x.tif", FileType::kTiff, kUint16},
-      {"x.tiff", FileType::kTiff, kFloat}, {"x.exr", FileType::kExr, kHalf},
-      {"x.exr", FileType::kExr, kFloat},
+      {"x.png", FileType::kPng, kUint8},   {"x.png", FileType::kPng, kUint16}, {"x.tga", FileType::kTga, kUint8},
+      {"x.bmp", FileType::kBmp, kUint8},   {"x.tif", FileType::kTiff, kUint8}, {"x.tif", FileType::kTiff, kUint16},
+      {"x.tiff", FileType::kTiff, kFloat}, {"x.exr", FileType::kExr, kHalf},   {"x.exr", FileType::kExr, kFloat},
   };
   return all;
 }
@@ -293,8 +291,7 @@ TEST(ImageIo, NamesAndSamplesThatAFileTypeDoesNotHave) {
                                                                  {FileType::kBmp, {kUint16, kHalf, kFloat}},
                                                                  {FileType::kTiff, {kHalf}},
                                                                  {FileType::kExr, {kUint8, kUint16}}})
-    for (SampleType s : samples)
-      EXPECT_ERROR(require_can_hold(type, s, "f"), ErrorKind::kUnsupported, name(s));
+    for (SampleType s : samples) EXPECT_ERROR(require_can_hold(type, s, "f"), ErrorKind::kUnsupported, name(s));
   for (FileType t : {FileType::kPng, FileType::kTga, FileType::kBmp, FileType::kTiff, FileType::kExr})
     EXPECT_NO_THROW(require_can_hold(t, default_sample_type(t), "f"));
 }
@@ -313,8 +310,8 @@ TEST(ImageIo, AFullDiskIsAnIoError) {
     for (int side : {4, 700}) {
       if (k.type == FileType::kTiff || k.type == FileType::kExr)
         continue;  // they seek; the command-line tests have a disk
-      EXPECT_ERROR(write_image("/dev/full", k.type, k.sample, random_image(side, side, 3, k.sample)),
-                   ErrorKind::kIo, "cannot be written");
+      EXPECT_ERROR(write_image("/dev/full", k.type, k.sample, random_image(side, side, 3, k.sample)), ErrorKind::kIo,
+                   "cannot be written");
     }
 }
 

@@ -48,8 +48,7 @@ TEST(Mip, EveryFinerTexelCountsTheSame) {
       for (int k = 0; k < taps.count; k++) covered[taps.first + k] += taps.weight[k];
     }
     // All totals of a level are equal, so m totals are shared among n texels.
-    for (int x = 0; x < n; x++)
-      ASSERT_EQ(covered[x] * n, long(m) * total) << "size " << n << " finer texel " << x;
+    for (int x = 0; x < n; x++) ASSERT_EQ(covered[x] * n, long(m) * total) << "size " << n << " finer texel " << x;
   }
 }
 

@@ -18,8 +18,7 @@ std::vector<Vec3f> read_all(const std::string& file, const NormalCoding& coding 
   return read_normals(file, coding, &w, &h);
 }
 
-void write_samples(const std::string& file, SampleType sample, int w, int h, int channels,
-                   std::vector<float> samples) {
+void write_samples(const std::string& file, SampleType sample, int w, int h, int channels, std::vector<float> samples) {
   Image image(w, h, channels);
   image.data = std::move(samples);
   write_image(file, file_type_of(file), sample, image);
@@ -86,8 +85,7 @@ TEST(NormalCoding, RoundTripIsAsGoodAsTheSamples) {
         writer.close();
         const std::vector<Vec3f> back = read_all(dir / c.file, coding);
         for (std::size_t i = 0; i < back.size(); i++) {
-          ASSERT_LT(angle_deg(back[i], normals[i]), c.worst_deg)
-              << c.file << " " << name(c.sample) << " texel " << i;
+          ASSERT_LT(angle_deg(back[i], normals[i]), c.worst_deg) << c.file << " " << name(c.sample) << " texel " << i;
           ASSERT_NEAR(length(back[i]), 1, 1e-6);
         }
       }
@@ -150,10 +148,9 @@ TEST(NormalCoding, ChannelsByLetter) {
   struct Case {
     const char *file, *channels;
   };
-  for (const Case& c :
-       {Case{"ag.tif", "ag"}, Case{"ag.tif", "AG"}, Case{"ag.tif", "wy"}, Case{"xz.exr", "xz"},
-        Case{"xz.exr", "rb"}, Case{"xy.exr", "xy"}, Case{"xy.exr", "rg"}, Case{"four.exr", ""},
-        Case{"four.exr", "xyz"}, Case{"four.exr", "rgb"}, Case{"four.exr", "xy"}}) {
+  for (const Case& c : {Case{"ag.tif", "ag"}, Case{"ag.tif", "AG"}, Case{"ag.tif", "wy"}, Case{"xz.exr", "xz"},
+                        Case{"xz.exr", "rb"}, Case{"xy.exr", "xy"}, Case{"xy.exr", "rg"}, Case{"four.exr", ""},
+                        Case{"four.exr", "xyz"}, Case{"four.exr", "rgb"}, Case{"four.exr", "xy"}}) {
     const Vec3f n = read_all(dir / c.file, {GreenAxis::kUp, {}, c.channels})[0];
     EXPECT_LT(angle_deg(n, {x, y, z}), 0.004) << c.file << " read as '" << c.channels << "'";
   }
@@ -173,8 +170,7 @@ TEST(NormalCoding, FilesWithoutTheChannels) {
   write_samples(dir / "one.png", SampleType::kUint8, 1, 1, 1, {0});
   write_samples(dir / "two.exr", SampleType::kFloat, 1, 1, 2, {0, 0});
   write_samples(dir / "three.png", SampleType::kUint8, 1, 1, 3, {0, 0, 1});
-  EXPECT_ERROR(read_all(dir / "one.png"), ErrorKind::kMalformed,
-               "expected 3 channels of a normal map, got 1");
+  EXPECT_ERROR(read_all(dir / "one.png"), ErrorKind::kMalformed, "expected 3 channels of a normal map, got 1");
   EXPECT_ERROR(read_all(dir / "two.exr"), ErrorKind::kMalformed, "--channels xy");
   EXPECT_ERROR(read_all(dir / "three.png", {GreenAxis::kUp, {}, "ag"}), ErrorKind::kMalformed, "'a'");
   EXPECT_ERROR(read_all(dir / "one.png", {GreenAxis::kUp, {}, "xy"}), ErrorKind::kMalformed, "1 channel");
@@ -191,10 +187,8 @@ TEST(NormalCoding, EncodingsOverrideTheType) {
   EXPECT_NEAR(n.z, 0.8f, 1e-6);
   EXPECT_ERROR(require_encodable({GreenAxis::kUp, NormalEncoding::kSigned, ""}, SampleType::kUint8, "x.png"),
                ErrorKind::kUnsupported, "signed");
-  EXPECT_NO_THROW(
-      require_encodable({GreenAxis::kUp, NormalEncoding::kSigned, ""}, SampleType::kHalf, "x.exr"));
-  EXPECT_NO_THROW(
-      require_encodable({GreenAxis::kUp, NormalEncoding::kBiased, ""}, SampleType::kFloat, "x.exr"));
+  EXPECT_NO_THROW(require_encodable({GreenAxis::kUp, NormalEncoding::kSigned, ""}, SampleType::kHalf, "x.exr"));
+  EXPECT_NO_THROW(require_encodable({GreenAxis::kUp, NormalEncoding::kBiased, ""}, SampleType::kFloat, "x.exr"));
 }
 
 }  // namespace

@@ -55,8 +55,7 @@ TEST(PaletteCodebook, NoMorePointsThanEntriesAreTheEntries) {
     ASSERT_EQ(book.groups.size(), 1u);
     EXPECT_EQ(book.size(), points);
     EXPECT_EQ(book.error, 0);
-    for (const Vec3f& n : normals)
-      EXPECT_NE(std::ranges::find(book.groups[0], n), book.groups[0].end()) << points;
+    for (const Vec3f& n : normals) EXPECT_NE(std::ranges::find(book.groups[0], n), book.groups[0].end()) << points;
   }
 }
 
@@ -141,8 +140,7 @@ TEST(PaletteCodebook, WeightsOfAnySizeGiveTheSameEntries) {
 
 TEST(PaletteCodebook, OppositePointsAndPointsOnACircle) {
   std::vector<Vec3f> normals;
-  for (int i = 0; i < 360; i++)
-    normals.push_back(Vec3f(Vec3d{std::cos(radians(i)), std::sin(radians(i)), 0}));
+  for (int i = 0; i < 360; i++) normals.push_back(Vec3f(Vec3d{std::cos(radians(i)), std::sin(radians(i)), 0}));
   for (const int n : {2, 3, 5, 36}) {
     const Groups groups{testing::weighted(normals)};
     const Codebook book = fit_codebook(groups, n);
@@ -151,8 +149,7 @@ TEST(PaletteCodebook, OppositePointsAndPointsOnACircle) {
     // Equal arcs: half a step of 360°/n, over √3.
     EXPECT_LT(rms_deg(groups[0], book.groups[0]), 1.1 * 180.0 / n / std::sqrt(3.0)) << n;
   }
-  const Codebook poles =
-      fit_codebook(Groups{{{{0, 0, 1}, 1}, {{0, 0, -1}, 1}, {{1, 0, 0}, 1}, {{-1, 0, 0}, 1}}}, 2);
+  const Codebook poles = fit_codebook(Groups{{{{0, 0, 1}, 1}, {{0, 0, -1}, 1}, {{1, 0, 0}, 1}, {{-1, 0, 0}, 1}}}, 2);
   EXPECT_EQ(poles.size(), 2);
   expect_unit(poles);
 }

@@ -15,9 +15,8 @@ using Regions = std::vector<std::uint16_t>;
 enum class Kind { kDiffusion, kDots };
 
 // The whole of a map of at most kDotBandRows rows.
-std::vector<std::uint16_t> dither(Kind kind, const std::vector<Vec3f>& entries,
-                                  const std::vector<EntryRange>& ranges, int width,
-                                  const std::vector<Vec3f>& normals, const Regions& region,
+std::vector<std::uint16_t> dither(Kind kind, const std::vector<Vec3f>& entries, const std::vector<EntryRange>& ranges,
+                                  int width, const std::vector<Vec3f>& normals, const Regions& region,
                                   double amount = 1) {
   std::vector<const EntryRange*> pointers;
   for (const EntryRange& r : ranges) pointers.push_back(&r);
@@ -30,8 +29,7 @@ std::vector<std::uint16_t> dither(Kind kind, const std::vector<Vec3f>& entries,
   ErrorDiffusion diffusion(entries, pointers, width, amount);
   for (int y = 0; y < rows; y++) {
     const std::uint16_t* here = region.data() + y * width;
-    diffusion.row(normals.data() + y * width, here, y + 1 < rows ? here + width : nullptr,
-                  out.data() + y * width);
+    diffusion.row(normals.data() + y * width, here, y + 1 < rows ? here + width : nullptr, out.data() + y * width);
   }
   return out;
 }
@@ -113,8 +111,7 @@ TEST_P(PaletteDither, WhatThePaletteHoldsIsLeftAlone) {
   Random random(2);
   std::vector<Vec3f> normals;
   std::vector<int> expected;
-  for (int i = 0; i < 64 * 64; i++)
-    expected.push_back(random.below(50)), normals.push_back(entries[expected.back()]);
+  for (int i = 0; i < 64 * 64; i++) expected.push_back(random.below(50)), normals.push_back(entries[expected.back()]);
   const auto index = dither(GetParam(), entries, one_range(entries), 64, normals, Regions(normals.size()));
   for (std::size_t i = 0; i < normals.size(); i++) ASSERT_EQ(index[i], expected[i]) << i;
 }
@@ -122,8 +119,7 @@ TEST_P(PaletteDither, WhatThePaletteHoldsIsLeftAlone) {
 TEST_P(PaletteDither, EntriesOfTheRegionsRangeOnly) {
   const std::vector<Vec3f> entries = testing::fibonacci_sphere(60);
   std::vector<EntryRange> ranges;
-  for (int first : {0, 20, 40})
-    ranges.push_back({first, NearestEntry(std::span(entries).subspan(first, 20))});
+  for (int first : {0, 20, 40}) ranges.push_back({first, NearestEntry(std::span(entries).subspan(first, 20))});
   const std::vector<Vec3f> normals = testing::bumpy_normals(100, 80);
   Random random(3);
   Regions region(normals.size());
@@ -157,9 +153,7 @@ TEST_P(PaletteDither, NoErrorCrossesABorder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, PaletteDither, ::testing::Values(Kind::kDiffusion, Kind::kDots),
-                         [](const auto& kind) {
-                           return kind.param == Kind::kDiffusion ? "Diffusion" : "Dots";
-                         });
+                         [](const auto& kind) { return kind.param == Kind::kDiffusion ? "Diffusion" : "Dots"; });
 
 TEST(PaletteDiffusion, AMapOneTexelWideOrHigh) {
   const std::vector<Vec3f> entries = upper_palette(30), normals = ramp(64, 1);
@@ -191,8 +185,7 @@ double low_energy(const std::vector<double>& tile) {
       if (u * u + v * v > 64 || (u == 0 && v == 0)) continue;
       std::complex<double> sum;
       for (int y = 0; y < kSide; y++)
-        for (int x = 0; x < kSide; x++)
-          sum += std::polar(tile[y * kSide + x], -2 * kPi * (u * x + v * y) / kSide);
+        for (int x = 0; x < kSide; x++) sum += std::polar(tile[y * kSide + x], -2 * kPi * (u * x + v * y) / kSide);
       energy += std::norm(sum), frequencies++;
     }
   return energy / frequencies;

@@ -29,8 +29,7 @@ class Random {
   }
   // Uniform within an angle of +z.
   Vec3f in_cap(double angle_deg) {
-    const double z = 1 - unit() * (1 - std::cos(radians(angle_deg))), a = 2 * kPi * unit(),
-                 r = std::sqrt(1 - z * z);
+    const double z = 1 - unit() * (1 - std::cos(radians(angle_deg))), a = 2 * kPi * unit(), r = std::sqrt(1 - z * z);
     return Vec3f(normalized(Vec3d{r * std::cos(a), r * std::sin(a), z}));
   }
   std::vector<Vec3f> directions(std::size_t n) {

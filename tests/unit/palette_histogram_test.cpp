@@ -36,9 +36,8 @@ struct Stored {
   const char* file;
   SampleType sample;
 };
-const Stored kStored[] = {{"n.png", SampleType::kUint8},  {"n.tga", SampleType::kUint8},
-                          {"n.png", SampleType::kUint16}, {"n.tif", SampleType::kUint16},
-                          {"n.exr", SampleType::kHalf},   {"n.exr", SampleType::kFloat},
+const Stored kStored[] = {{"n.png", SampleType::kUint8},  {"n.tga", SampleType::kUint8}, {"n.png", SampleType::kUint16},
+                          {"n.tif", SampleType::kUint16}, {"n.exr", SampleType::kHalf},  {"n.exr", SampleType::kFloat},
                           {"n.tif", SampleType::kFloat}};
 
 TEST(PaletteHistogram, CountsAreExactInEverySampleType) {
@@ -63,8 +62,7 @@ TEST(PaletteHistogram, CountsAreExactInEverySampleType) {
     for (std::size_t k = 0; k < few().size(); k++) {
       double nearest = 180, weight = 0;
       for (const WeightedNormal& p : h.groups[0])
-        if (const double a = testing::angle_deg(p.normal, few()[k]); a < nearest)
-          nearest = a, weight = p.weight;
+        if (const double a = testing::angle_deg(p.normal, few()[k]); a < nearest) nearest = a, weight = p.weight;
       EXPECT_LT(nearest, 0.5) << s.file << " " << name(s.sample);
       EXPECT_EQ(weight, expected[k]) << s.file << " " << name(s.sample);
     }

@@ -35,8 +35,7 @@ Vectors coarser(const Vectors& v) {
       Vec3d sum;
       for (int j = 0; j < ty.count; j++)
         for (int i = 0; i < tx.count; i++)
-          sum +=
-              v.at[std::size_t(ty.first + j) * v.width + tx.first + i] * double(ty.weight[j] * tx.weight[i]);
+          sum += v.at[std::size_t(ty.first + j) * v.width + tx.first + i] * double(ty.weight[j] * tx.weight[i]);
       out.at.push_back(sum / double(ty.total * tx.total));
     }
   return out;
@@ -108,8 +107,7 @@ TEST(PaletteIndexMips, EveryTexelIsTheBestEntryForThoseBelow) {
         ASSERT_EQ(stats[l].width, level.width);
         ASSERT_EQ(stats[l].height, level.height);
         for (int y = 0; y < level.height; y++)
-          for (int x = 0; x < level.width; x++)
-            expect_best(map, int(l), x, y, majority(map, map.levels[l - 1], x, y));
+          for (int x = 0; x < level.width; x++) expect_best(map, int(l), x, y, majority(map, map.levels[l - 1], x, y));
       }
     }
 }
@@ -190,20 +188,17 @@ TEST(PaletteIndexMips, FromTheBaseAndFromTheSource) {
         from_source_squares += std::pow(off(map), 2), from_level_squares += std::pow(off(from_level), 2);
       }
       EXPECT_LE(from_source_squares, from_level_squares + 1e-6) << "level " << l;
-      EXPECT_NEAR(by_source[l].rms_deg, std::sqrt(from_source_squares / double(mean.at.size())), 1e-3)
-          << "level " << l;
+      EXPECT_NEAR(by_source[l].rms_deg, std::sqrt(from_source_squares / double(mean.at.size())), 1e-3) << "level " << l;
     }
   }
 }
 
 // Two texels of either material; ids in another order than the entries.
-IndexedMap tie_map(const std::vector<Vec3f>& first, const std::vector<Vec3f>& second, int first_id,
-                   int second_id) {
+IndexedMap tie_map(const std::vector<Vec3f>& first, const std::vector<Vec3f>& second, int first_id, int second_id) {
   IndexedMap map;
   map.palette.normals = first;
   map.palette.normals.insert(map.palette.normals.end(), second.begin(), second.end());
-  map.palette.materials = {{first_id, 0, int(first.size())},
-                           {second_id, int(first.size()), int(second.size())}};
+  map.palette.materials = {{first_id, 0, int(first.size())}, {second_id, int(first.size()), int(second.size())}};
   map.levels.emplace_back(2, 2);
   const int a = int(first.size());
   map.levels[0].data = {0, std::uint16_t(a - 1), std::uint16_t(a), std::uint16_t(a + int(second.size()) - 1)};
@@ -216,10 +211,9 @@ TEST(PaletteIndexMips, ATieGoesToTheLongerSumThenToTheSmallerId) {
     std::vector<Vec3f> first, second;
     int first_id, second_id, expected;  // position
   };
-  for (const Case& c :
-       {Case{{left, right}, {up}, 1, 2, 1}, Case{{up}, {left, right}, 1, 2, 0},
-        Case{{up}, {left, right}, 9, 2, 0}, Case{{up}, {up}, 1, 2, 0}, Case{{up}, {up}, 7, 2, 1},
-        Case{{left}, {right}, 7, 2, 1}, Case{{left}, {right}, 2, 7, 0}}) {
+  for (const Case& c : {Case{{left, right}, {up}, 1, 2, 1}, Case{{up}, {left, right}, 1, 2, 0},
+                        Case{{up}, {left, right}, 9, 2, 0}, Case{{up}, {up}, 1, 2, 0}, Case{{up}, {up}, 7, 2, 1},
+                        Case{{left}, {right}, 7, 2, 1}, Case{{left}, {right}, 2, 7, 0}}) {
     IndexedMap map = tie_map(c.first, c.second, c.first_id, c.second_id);
     build_index_mips(map, {});
     EXPECT_EQ(map.palette.interval_of(map.levels[1].data[0]), c.expected)
@@ -242,8 +236,7 @@ TEST(PaletteIndexMips, NormalsThatCancelOutGiveOneOfThem) {
   map.palette.normals = {{0, 1, 0}, {1, 0, 0}, {-1, 0, 0}};
   map.palette.materials = {{0, 0, 3}};
   for (const MipAverage average : {MipAverage::kLevel, MipAverage::kBase})
-    for (const auto& [width, height] :
-         {std::pair(2, 2), std::pair(8, 8), std::pair(4, 1), std::pair(6, 10)}) {
+    for (const auto& [width, height] : {std::pair(2, 2), std::pair(8, 8), std::pair(4, 1), std::pair(6, 10)}) {
       map.levels.assign(1, IndexImage(width, height));
       for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++) *map.levels[0].at(x, y) = std::uint16_t(1 + (x + y) % 2);
@@ -254,8 +247,7 @@ TEST(PaletteIndexMips, NormalsThatCancelOutGiveOneOfThem) {
         for (const std::uint16_t i : map.levels[l].data) EXPECT_LT(i, 3);
         EXPECT_TRUE(std::isfinite(stats[l].rms_deg));
       }
-      EXPECT_NE(map.levels[1].data[0], 0)
-          << width << "x" << height;  // the entry across is not what lies below
+      EXPECT_NE(map.levels[1].data[0], 0) << width << "x" << height;  // the entry across is not what lies below
     }
 }
 

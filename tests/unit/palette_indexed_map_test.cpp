@@ -27,8 +27,8 @@ using testing::write_bytes;
 
 void expect_same(const IndexedMap& a, const IndexedMap& b) {
   ASSERT_EQ(a.palette.normals.size(), b.palette.normals.size());
-  EXPECT_EQ(0, std::memcmp(a.palette.normals.data(), b.palette.normals.data(),
-                           a.palette.normals.size() * sizeof(Vec3f)));
+  EXPECT_EQ(0,
+            std::memcmp(a.palette.normals.data(), b.palette.normals.data(), a.palette.normals.size() * sizeof(Vec3f)));
   EXPECT_EQ(a.palette.materials, b.palette.materials);
   EXPECT_EQ(a.palette.space, b.palette.space);
   ASSERT_EQ(a.levels.size(), b.levels.size());
@@ -76,9 +76,8 @@ TEST(PaletteIndexedMap, APngHoldsThePaletteToTheLastBit) {
 
 TEST(PaletteIndexedMap, ChainsInExr) {
   const ScratchDir dir;
-  for (const auto& [width, height] :
-       {std::pair(64, 64), std::pair(256, 32), std::pair(333, 77), std::pair(1, 9), std::pair(5, 3),
-        std::pair(129, 200), std::pair(1, 1)}) {
+  for (const auto& [width, height] : {std::pair(64, 64), std::pair(256, 32), std::pair(333, 77), std::pair(1, 9),
+                                      std::pair(5, 3), std::pair(129, 200), std::pair(1, 1)}) {
     IndexedMap map = random_map(width, height, 300, 2);
     build_index_mips(map, {});
     write_indexed_map(dir / "m.exr", FileType::kExr, map);
@@ -119,8 +118,7 @@ void write_foreign(const std::string& path, int depth, bool interlaced, int widt
   png_write_info(png, info);
   png_set_packing(png);
   std::vector<png_bytep> rows;
-  for (int y = 0; y < height; y++)
-    rows.push_back(const_cast<png_bytep>(indices.data()) + std::size_t(y) * width);
+  for (int y = 0; y < height; y++) rows.push_back(const_cast<png_bytep>(indices.data()) + std::size_t(y) * width);
   png_write_image(png, rows.data());
   png_write_end(png, nullptr);
   png_destroy_write_struct(&png, &info);
@@ -256,8 +254,7 @@ TEST(PaletteMalformed, IntervalsAndIndices) {
       refused({{0, 0, std::numeric_limits<int>::max()}});
       IndexedMap bad = good;
       bad.levels[0].data[17] = std::uint16_t(entries);
-      if (entries < 256 && type == FileType::kPng)
-        continue;  // libpng would not write it; see AnIndexBeyondThePalette
+      if (entries < 256 && type == FileType::kPng) continue;  // libpng would not write it; see AnIndexBeyondThePalette
       write_indexed_map(dir / file, type, bad);
       EXPECT_ERROR(read_indexed_map(dir / file), ErrorKind::kMalformed,
                    "expected indices below " + std::to_string(entries));
@@ -266,9 +263,8 @@ TEST(PaletteMalformed, IntervalsAndIndices) {
 
 TEST(PaletteMalformed, EntriesThatAreNoDirections) {
   const ScratchDir dir;
-  for (const Vec3f bad :
-       {Vec3f{0, 0, 0}, Vec3f{1e-5f, 0, 0}, Vec3f{std::numeric_limits<float>::infinity(), 0, 0},
-        Vec3f{0, std::numeric_limits<float>::quiet_NaN(), 0}}) {
+  for (const Vec3f bad : {Vec3f{0, 0, 0}, Vec3f{1e-5f, 0, 0}, Vec3f{std::numeric_limits<float>::infinity(), 0, 0},
+                          Vec3f{0, std::numeric_limits<float>::quiet_NaN(), 0}}) {
     IndexedMap map = random_map(4, 4, 10, 1);
     map.palette.normals[3] = bad;
     write_indexed_map(dir / "m.exr", FileType::kExr, map);
@@ -300,9 +296,8 @@ struct RawExr {
     Imf::OutputFile out(path.c_str(), header);
     const std::vector<std::uint32_t> data(std::size_t(width) * height, index);
     Imf::FrameBuffer buffer;
-    buffer.insert(
-        "index",
-        Imf::Slice(channel, reinterpret_cast<char*>(const_cast<std::uint32_t*>(data.data())), 4, 4 * width));
+    buffer.insert("index",
+                  Imf::Slice(channel, reinterpret_cast<char*>(const_cast<std::uint32_t*>(data.data())), 4, 4 * width));
     out.setFrameBuffer(buffer);
     out.writePixels(height);
   }
@@ -334,11 +329,10 @@ TEST(PaletteMalformed, AttributesOfExr) {
   raw.space = "world";
   refused(raw);
   raw = {};
-  for (const char* json :
-       {"", "null", "0", "[", "{}", "[{}]", "[1]", "[[]]", R"([{"id":0,"first":0}])", "\"text\"",
-        R"([{"id":"a","first":0,"count":2}])", R"([{"id":null,"first":0,"count":2}])",
-        R"([{"id":0,"first":0,"count":4294967298}])", R"([{"id":0,"first":0,"count":2.5}])",
-        R"([{"id":0,"first":0,"count":1e300}])", "[{\"id\":\xff,\"first\":0,\"count\":2}]"}) {
+  for (const char* json : {"", "null", "0", "[", "{}", "[{}]", "[1]", "[[]]", R"([{"id":0,"first":0}])", "\"text\"",
+                           R"([{"id":"a","first":0,"count":2}])", R"([{"id":null,"first":0,"count":2}])",
+                           R"([{"id":0,"first":0,"count":4294967298}])", R"([{"id":0,"first":0,"count":2.5}])",
+                           R"([{"id":0,"first":0,"count":1e300}])", "[{\"id\":\xff,\"first\":0,\"count\":2}]"}) {
     raw.materials = json;
     raw.write(path);
     SCOPED_TRACE(json);
@@ -376,8 +370,7 @@ TEST(PaletteMalformed, TruncatedAndDamagedFiles) {
   build_index_mips(chain, {});
   write_indexed_map(dir / "chain.exr", FileType::kExr, chain);
   Random random(1);
-  for (const char* file :
-       {"large.png", "large.exr", "small.png", "palette.png", "palette.exr", "chain.exr"}) {
+  for (const char* file : {"large.png", "large.exr", "small.png", "palette.png", "palette.exr", "chain.exr"}) {
     const std::string good = bytes_of(dir / file),
                       path = dir / ("bad" + std::string(file).substr(std::strlen(file) - 4));
     expect_survival(dir / file);

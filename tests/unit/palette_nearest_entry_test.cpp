@@ -67,16 +67,15 @@ std::vector<Vec3f> make_queries(const std::vector<Vec3f>& entries, int n, Random
 
 TEST(PaletteNearestEntry, FindsWhatBruteForceFinds) {
   Random random(11);
-  for (const Spread spread :
-       {Spread::kSphere, Spread::kCap, Spread::kGreatCircle, Spread::kDuplicates, Spread::kAxes})
+  for (const Spread spread : {Spread::kSphere, Spread::kCap, Spread::kGreatCircle, Spread::kDuplicates, Spread::kAxes})
     for (const int n : {1, 2, 17, 256, 5000, 65536}) {
       const std::vector<Vec3f> entries = make_palette(spread, n, random);
       const NearestEntry nearest(entries);
       for (const Vec3f& v : make_queries(entries, n > 5000 ? 150 : 1500, random)) {
         const int found = nearest(v), expected = brute_nearest(entries, v);
-        ASSERT_EQ(found, expected) << "spread " << int(spread) << ", " << n << " entries, query " << v.x
-                                   << " " << v.y << " " << v.z << ": dot " << dot(v, entries[found])
-                                   << " against " << dot(v, entries[expected]);
+        ASSERT_EQ(found, expected) << "spread " << int(spread) << ", " << n << " entries, query " << v.x << " " << v.y
+                                   << " " << v.z << ": dot " << dot(v, entries[found]) << " against "
+                                   << dot(v, entries[expected]);
       }
     }
 }

@@ -69,9 +69,9 @@ TEST(PaletteQuantize, LosslessWhereThePaletteHoldsEveryNormal) {
     const char* file;
     SampleType sample;
   };
-  for (const Case& c : {Case{"n.png", SampleType::kUint8}, Case{"n.png", SampleType::kUint16},
-                        Case{"n.tif", SampleType::kUint16}, Case{"n.exr", SampleType::kHalf},
-                        Case{"n.exr", SampleType::kFloat}})
+  for (const Case& c :
+       {Case{"n.png", SampleType::kUint8}, Case{"n.png", SampleType::kUint16}, Case{"n.tif", SampleType::kUint16},
+        Case{"n.exr", SampleType::kHalf}, Case{"n.exr", SampleType::kFloat}})
     for (const Dither dither : {Dither::kNone, Dither::kDiffusion, Dither::kBlueNoise}) {
       write_normals(dir / c.file, c.sample, kW, kH, normals);
       QuantizeOptions options;
@@ -85,8 +85,7 @@ TEST(PaletteQuantize, LosslessWhereThePaletteHoldsEveryNormal) {
       EXPECT_TRUE(r.stats.lossless) << c.file << " " << name(c.sample);
       EXPECT_EQ(r.stats.max_deg, 0) << c.file << " " << name(c.sample);
       for (std::size_t i = 0; i < in.size(); i++) {
-        ASSERT_LT(angle_deg(in[i], normal_at(r.map, i)), 3e-5)
-            << c.file << " " << name(c.sample) << " texel " << i;
+        ASSERT_LT(angle_deg(in[i], normal_at(r.map, i)), 3e-5) << c.file << " " << name(c.sample) << " texel " << i;
       }
     }
 }
@@ -192,8 +191,7 @@ TEST(PaletteQuantize, AMaterialMaskedOutWholeHasEntriesAndCountsNothing) {
     expect_well_formed(r.map);
     ASSERT_EQ(r.map.palette.materials.size(), 4u);
     EXPECT_EQ(r.stats.texels, std::size_t(std::ranges::count(mask, 255)));
-    EXPECT_NEAR(r.stats.rms_deg, rms_deg(stored(dir / "n.png"), r.map, mask), 1e-5)
-        << "dither " << int(dither);
+    EXPECT_NEAR(r.stats.rms_deg, rms_deg(stored(dir / "n.png"), r.map, mask), 1e-5) << "dither " << int(dither);
   }
 }
 
@@ -248,9 +246,8 @@ TEST(PaletteQuantize, AGivenPaletteIsUsedAsItIs) {
     const std::vector<int> ids = blobs();
     for (std::size_t i = 0; i < in.size(); i++) {
       const auto m = std::ranges::find(palette.materials, ids[i], &MaterialInterval::id);
-      ASSERT_EQ(
-          r.map.levels[0].data[i],
-          m->first + testing::brute_nearest(std::span(palette.normals).subspan(m->first, m->count), in[i]));
+      ASSERT_EQ(r.map.levels[0].data[i],
+                m->first + testing::brute_nearest(std::span(palette.normals).subspan(m->first, m->count), in[i]));
     }
   }
   palette.materials = {{255, 0, 20}, {17, 20, 1}, {0, 21, 69}};
@@ -315,8 +312,7 @@ TEST(PaletteQuantize, InvalidAndBrokenVectors) {
   EXPECT_EQ(r.stats.normals, 1);
   EXPECT_EQ(normal_at(r.map, 0), (Vec3f{0, 0, 1}));
   for (const SampleType sample : {SampleType::kHalf, SampleType::kFloat})
-    for (const float bad :
-         {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
       Image broken = image;
       broken.data[3 * 6 + 1] = bad;
       write_image(dir / "b.exr", FileType::kExr, sample, broken);

@@ -46,9 +46,7 @@ TEST(Parallel, ChunksCoverEachIndexOnce) {
 }
 
 TEST(Parallel, LimitEndsWithItsScope) {
-  const auto active = [] {
-    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  };
+  const auto active = [] { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism); };
   const std::size_t before = active();
   {
     const ThreadLimit limit(1);

@@ -44,8 +44,7 @@ inline ObjectAssets constant_normals(const Scene& scene, Vec3d n) {
 inline std::vector<Vec3f> spread_normals(int count, bool hemisphere) {
   std::vector<Vec3f> out;
   for (int i = 0; i < count; i++) {
-    const double z = 1 - (hemisphere ? 1 : 2) * (i + 0.5) / count, r = std::sqrt(1 - z * z),
-                 a = 2.399963229728653 * i;
+    const double z = 1 - (hemisphere ? 1 : 2) * (i + 0.5) / count, r = std::sqrt(1 - z * z), a = 2.399963229728653 * i;
     out.push_back(Vec3f(Vec3d{r * std::cos(a), r * std::sin(a), z}));
   }
   return out;
@@ -53,16 +52,14 @@ inline std::vector<Vec3f> spread_normals(int count, bool hemisphere) {
 
 // An indexed map with every entry somewhere, materials in equal shares, and the same normals as the analytic
 // path's own.
-inline ObjectAssets indexed_assets(const Scene& scene, int side, int entries, bool hemisphere,
-                                   int materials = 1) {
+inline ObjectAssets indexed_assets(const Scene& scene, int side, int entries, bool hemisphere, int materials = 1) {
   ObjectAssets a;
   a.indexed.emplace();
   Palette& palette = a.indexed->palette;
   palette.normals = spread_normals(entries, hemisphere);
   palette.space = hemisphere ? NormalSpace::kTangent : NormalSpace::kObject;
   for (int m = 0; m < materials; m++)
-    palette.materials.push_back(
-        {m, m * entries / materials, (m + 1) * entries / materials - m * entries / materials});
+    palette.materials.push_back({m, m * entries / materials, (m + 1) * entries / materials - m * entries / materials});
   IndexImage base(side, side);
   for (std::size_t i = 0; i < base.data.size(); i++) base.data[i] = std::uint16_t((i * 7919) % entries);
   a.width = a.height = side;

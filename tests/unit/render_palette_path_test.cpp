@@ -98,8 +98,7 @@ TEST(RenderPalettePath, LinearMipsBlendTwoLevels) {
 
 TEST(RenderPalettePath, BilinearBlendsColoursNotIndices) {
   Scene s = quad_scene(2);
-  s.objects[0].surface.repeat_u = s.objects[0].surface.repeat_v =
-      0.5;  // pixel centres on quarters of the map
+  s.objects[0].surface.repeat_u = s.objects[0].surface.repeat_v = 0.5;  // pixel centres on quarters of the map
   s.objects[0].filter = Filter::kBilinear;
   ObjectAssets a = indexed_assets(s, 2, 5, true);
   a.indexed->palette.normals[0] = {0, 0, 1};
@@ -123,8 +122,8 @@ TEST(RenderPalettePath, ATangentPaletteOnASphereIsRefused) {
 
 TEST(RenderPalettePath, NeedsAnIndexedMapAndAChainForMips) {
   Scene s = quad_scene();
-  EXPECT_ERROR(render(s, testing::constant_normals(s, {0, 0, 1}), RenderPath::kPalette),
-               ErrorKind::kMalformed, "needs an 'indexed_map'");
+  EXPECT_ERROR(render(s, testing::constant_normals(s, {0, 0, 1}), RenderPath::kPalette), ErrorKind::kMalformed,
+               "needs an 'indexed_map'");
   s.objects[0].mip = MipMode::kNearest;
   EXPECT_ERROR(render(s, indexed_assets(s, 4, 8, true), RenderPath::kPalette), ErrorKind::kMalformed,
                "expected a chain of mip levels");

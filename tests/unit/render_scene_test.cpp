@@ -104,8 +104,7 @@ heat_max = 0.25
   EXPECT_EQ(o.mip, MipMode::kNearest);
   EXPECT_EQ(s.objects[1].surface.repeat_v, 4);
   EXPECT_EQ(std::get<Phong>(s.materials[0].model).exponent, 9);
-  EXPECT_EQ(std::get<Lambert>(s.materials[1].model).ambient, (Vec3d{0.5, 0.5, 0.5}))
-      << "as the diffuse colour";
+  EXPECT_EQ(std::get<Lambert>(s.materials[1].model).ambient, (Vec3d{0.5, 0.5, 0.5})) << "as the diffuse colour";
   EXPECT_EQ(s.validation.samples, 8);
   EXPECT_EQ(s.validation.tolerances.max_p95_abs, 0.02);
   EXPECT_EQ(s.files(), (std::vector<std::string>{"maps/n.png", "maps/i.exr"})) << "each once";
@@ -123,40 +122,32 @@ TEST(RenderScene, RefusalsNameFileLineAndKey) {
   refused("samples = 2.5\n" + kObject, "'samples': expected an integer from 1 to 64, got 2.5");
   refused("ambient = [0, 1]\n" + kObject,
           "'ambient': expected an array of 3, each a number of at least 0, got an array of 2");
-  refused("ambient = [0, 1, -1]\n" + kObject,
-          "'ambient': expected an array of 3, each a number of at least 0, got -1");
+  refused("ambient = [0, 1, -1]\n" + kObject, "'ambient': expected an array of 3, each a number of at least 0, got -1");
   refused("ambient = [0, 1, nan]\n" + kObject, "'ambient'");
-  refused("path = 'palete'\n" + kObject,
-          "line 1: 'path': expected a path, analytic or palette, got 'palete'");
+  refused("path = 'palete'\n" + kObject, "line 1: 'path': expected a path, analytic or palette, got 'palete'");
   refused("image = 3\n" + kObject, "'image': expected a table [image], got 3");
   refused("[image]\nwidth = 100000\n" + kObject, "line 2: 'image.width': expected an integer from 1 to");
-  refused("[camera]\ntype = 'fisheye'\n" + kObject,
-          "'camera.type': expected orthographic|perspective, got 'fisheye'");
+  refused("[camera]\ntype = 'fisheye'\n" + kObject, "'camera.type': expected orthographic|perspective, got 'fisheye'");
   refused("[camera]\ntype = 'perspective'\nfov_deg = 200\n" + kObject,
           "line 3: 'camera.fov_deg': expected an angle above 0 and below 180, got 200");
   refused("[camera]\nfov_deg = 20\n" + kObject, "'camera.fov_deg': unknown key");
-  refused("[camera]\nup = [0, 0, 1]\n" + kObject,
-          "'camera.up': expected a direction other than the view's own");
+  refused("[camera]\nup = [0, 0, 1]\n" + kObject, "'camera.up': expected a direction other than the view's own");
   refused("[camera]\nposition = [0, 0, 0]\n" + kObject, "'camera.look_at': expected a point other than");
   refused(kObject + "[[light]]\n", "'light[0].direction': expected an array of 3");
-  refused(kObject + "[[light]]\ndirection = [0, 0, 0]\n",
-          "line 4: 'light[0].direction': expected a direction");
+  refused(kObject + "[[light]]\ndirection = [0, 0, 0]\n", "line 4: 'light[0].direction': expected a direction");
   refused(kObject + "[[light]]\ntype = 'point'\nposition = [0,0,1]\ndirection = [0, 0, 1]\n",
           "'light[0].direction': unknown key");
   refused(kObject + "[light]\ndirection = [0, 0, 1]\n", "'light': expected tables [[light]], got a table");
   refused("", "'object': expected at least one [[object]]");
   refused("[[object]]\n", "line 1: 'object[0].normal_map': expected a file name here or in 'indexed_map'");
-  refused("[[object]]\nnormal_map = 'n.png'\nsurface = 'sphere'\nsize = [1, 1]\n",
-          "'object[0].size': unknown key");
+  refused("[[object]]\nnormal_map = 'n.png'\nsurface = 'sphere'\nsize = [1, 1]\n", "'object[0].size': unknown key");
   refused("[[object]]\nnormal_map = 'n.png'\nmip = 'off'\n", "'object[0].mip': unknown key");
-  refused("[[object]]\nnormal_map = 'n.png'\nchannels = 'xq'\n",
-          "'object[0].channels': expected two or three letters");
+  refused("[[object]]\nnormal_map = 'n.png'\nchannels = 'xq'\n", "'object[0].channels': expected two or three letters");
   refused(kObject + "[[material]]\nexponent = 3\n", "'material[0].exponent': unknown key");
   refused(kObject + "[[material]]\nid = 1\n[[material]]\n", "'material[1].id': expected an id from 0 to 255");
   refused(kObject + "[[material]]\nid = 1\n[[material]]\nid = 1\n",
           "'material[1].id': expected ids that differ, got 1 twice");
-  refused(kObject + "[validate]\nmax_abs = -1\n",
-          "'validate.max_abs': expected a number of at least 0, got -1");
+  refused(kObject + "[validate]\nmax_abs = -1\n", "'validate.max_abs': expected a number of at least 0, got -1");
   refused("a = \n", "'s.toml': line 1: ");
   EXPECT_ERROR(parse("path = 'ward'\n" + kObject), kUnsupported, "path 'ward' is not there yet");
 }

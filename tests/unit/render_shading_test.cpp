@@ -96,8 +96,7 @@ TEST(RenderShading, PhongPeaksWhereTheMirroredLightMeetsTheView) {
 TEST(RenderShading, PhongHighlightTurnsTwiceAsFastAsTheNormal) {
   Scene s = quad_scene(1);
   s.materials[0].model = Phong{{}, {}, {1, 1, 1}, 10};
-  const Frame f =
-      render(s, constant_normals(s, towards(15)), RenderPath::kAnalytic);  // light and view along +z
+  const Frame f = render(s, constant_normals(s, towards(15)), RenderPath::kAnalytic);  // light and view along +z
   EXPECT_NEAR(f.colour.data[0], std::pow(std::cos(radians(30)), 10), 1e-6);
 }
 

@@ -15,8 +15,7 @@ namespace {
 using testing::bytes_of;
 
 ValidationFiles files_in(const testing::ScratchDir& dir) {
-  return {dir / "palette.png", dir / "analytic.png", dir / "difference.png", dir / "report.json",
-          dir / "report.html"};
+  return {dir / "palette.png", dir / "analytic.png", dir / "difference.png", dir / "report.json", dir / "report.html"};
 }
 
 TEST(RenderValidate, ToleranceIsMetByEquality) {
@@ -55,8 +54,7 @@ TEST(RenderValidate, EqualPicturesAreNullDecibelsInJson) {
   const testing::ScratchDir dir;
   Scene s = testing::quad_scene(24);
   s.validation.tolerances.min_psnr_db = 100;
-  const Validation v =
-      validate(s, {testing::indexed_assets(s, 16, 64, true)}, RenderPath::kPalette, files_in(dir));
+  const Validation v = validate(s, {testing::indexed_assets(s, 16, 64, true)}, RenderPath::kPalette, files_in(dir));
   EXPECT_TRUE(v.passed());
   EXPECT_EQ(v.metrics.psnr_db, std::numeric_limits<double>::infinity());
   EXPECT_TRUE(nlohmann::json::parse(bytes_of(dir / "report.json"))["stats"]["psnr_db"].is_null());
@@ -66,8 +64,7 @@ TEST(RenderValidate, RefusesWhatHasNoTwinOrShowsNothing) {
   const testing::ScratchDir dir;
   Scene s = testing::quad_scene(4);
   const std::vector<ObjectAssets> assets{testing::indexed_assets(s, 16, 64, true)};
-  EXPECT_ERROR(validate(s, assets, RenderPath::kAnalytic, files_in(dir)), ErrorKind::kUsage,
-               "is the twin itself");
+  EXPECT_ERROR(validate(s, assets, RenderPath::kAnalytic, files_in(dir)), ErrorKind::kUsage, "is the twin itself");
   s.objects[0].transform.translation = {9, 0, 0};
   EXPECT_ERROR(validate(s, assets, RenderPath::kPalette, files_in(dir)), ErrorKind::kMalformed,
                "no pixel shows an object");
@@ -76,8 +73,7 @@ TEST(RenderValidate, RefusesWhatHasNoTwinOrShowsNothing) {
 TEST(RenderFrameNames, NumbersAndAuxiliaryImages) {
   using Names = std::vector<std::string>;
   EXPECT_EQ(FrameNames("out/a.png", 1, {}).of_frame(0), Names{"out/a.png"});
-  EXPECT_EQ(FrameNames("100%d.png", 1, {}).of_frame(0), Names{"100%d.png"})
-      << "one frame takes the name as it is";
+  EXPECT_EQ(FrameNames("100%d.png", 1, {}).of_frame(0), Names{"100%d.png"}) << "one frame takes the name as it is";
   EXPECT_EQ(FrameNames("a_%04d.png", 12, {}).of_frame(11), Names{"a_0011.png"});
   EXPECT_EQ(FrameNames("a_%d.png", 12, {}).of_frame(11), Names{"a_11.png"});
   EXPECT_EQ(FrameNames("d/a.b.exr", 1, {Aov::kNormal, Aov::kIndex}).of_frame(0),

@@ -8,12 +8,9 @@ std::string escaped(const std::string& path) {
   std::string out;
   std::size_t backslashes = 0;
   for (char c : path) {
-    if (c == ' ' || c == '\t' || c == '#')
-      out += std::string(backslashes, '\\') + '\\' + c;
-    else if (c == '$')
-      out += "$$";
-    else
-      out += c;
+    if (c == ' ' || c == '\t' || c == '#') out += std::string(backslashes, '\\') + '\\' + c;
+    else if (c == '$') out += "$$";
+    else out += c;
     backslashes = c == '\\' ? backslashes + 1 : 0;
   }
   return out;

@@ -17,12 +17,18 @@ enum ExitCode {
 
 inline ExitCode exit_code(ErrorKind kind) {
   switch (kind) {
-    case ErrorKind::kUsage: return kUsage;
-    case ErrorKind::kIo: return kIo;
-    case ErrorKind::kMalformed: return kMalformed;
-    case ErrorKind::kUnsupported: return kUnsupported;
-    case ErrorKind::kThreshold: return kThreshold;
-    case ErrorKind::kInternal: break;
+    case ErrorKind::kUsage:
+      return kUsage;
+    case ErrorKind::kIo:
+      return kIo;
+    case ErrorKind::kMalformed:
+      return kMalformed;
+    case ErrorKind::kUnsupported:
+      return kUnsupported;
+    case ErrorKind::kThreshold:
+      return kThreshold;
+    case ErrorKind::kInternal:
+      break;
   }
   return kInternal;
 }

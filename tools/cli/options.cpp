@@ -60,8 +60,8 @@ void IndexedOutput::require_format(FileType type, std::size_t normals) const {
   const std::string stored = type == FileType::kExr ? "uint32" : normals <= 256 ? "uint8" : "uint16";
   if (!format.empty() && format != stored)
     throw file_error(ErrorKind::kUnsupported, path,
-                     std::string(name(type)) + " holds indices into " + std::to_string(normals) + " normals as " + stored +
-                         ", not " + format);
+                     std::string(name(type)) + " holds indices into " + std::to_string(normals) + " normals as " +
+                         stored + ", not " + format);
 }
 
 FileType indexed_file_type(const std::string& path) { return require_indexed(file_type_of(path), path); }

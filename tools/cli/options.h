@@ -15,7 +15,8 @@ using Words = std::vector<std::pair<std::string, T>>;
 
 // An option that takes one of several words.
 template <typename T>
-CLI::Option* add_choice(CLI::App& app, const std::string& flag, T& value, const Words<T>& words, const std::string& help) {
+CLI::Option* add_choice(CLI::App& app, const std::string& flag, T& value, const Words<T>& words,
+                        const std::string& help) {
   std::string all;
   for (const auto& [word, v] : words) all += (all.empty() ? "" : "|") + word;
   return app
@@ -58,7 +59,8 @@ struct IndexedOutput {
 
   void add_to(CLI::App& app);
   FileType type() const;
-  // What indices are stored as follows from the palette's size and the file's type; -d may only say so. kUnsupported otherwise.
+  // What indices are stored as follows from the palette's size and the file's type; -d may only say so. kUnsupported
+  // otherwise.
   void require_format(FileType type, std::size_t normals) const;
 };
 

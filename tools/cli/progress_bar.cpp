@@ -7,7 +7,10 @@
 namespace burnish::cli {
 
 ProgressBar::ProgressBar(std::FILE* stream, std::string label, bool quiet)
-    : stream_(stream), label_(std::move(label)), enabled_(!quiet && ::isatty(::fileno(stream))), last_(std::chrono::steady_clock::now()) {}
+    : stream_(stream),
+      label_(std::move(label)),
+      enabled_(!quiet && ::isatty(::fileno(stream))),
+      last_(std::chrono::steady_clock::now()) {}
 
 void ProgressBar::update(double fraction) {
   const auto now = std::chrono::steady_clock::now();
@@ -16,8 +19,8 @@ void ProgressBar::update(double fraction) {
   drawn_ = true;
   constexpr int kWidth = 30;
   const int full = int(std::clamp(fraction, 0.0, 1.0) * kWidth);
-  std::fprintf(stream_, "\r%s [%.*s%*s] %3d%%", label_.c_str(), full, "##############################", kWidth - full, "",
-               int(fraction * 100));
+  std::fprintf(stream_, "\r%s [%.*s%*s] %3d%%", label_.c_str(), full, "##############################", kWidth - full,
+               "", int(fraction * 100));
   std::fflush(stream_);
 }
 

@@ -29,8 +29,9 @@ extern "C" void remove_temporaries_and_die(int signal) {
 }
 
 std::string shell_quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                             "0123456789-_=+./:,@%") == std::string::npos;
+  const bool plain = !word.empty() && word.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789-_=+./:,@%") == std::string::npos;
   if (plain) return word;
   std::string out = "'";
   for (char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -47,7 +48,8 @@ void spool_standard_input(const std::string& path) {
   std::vector<char> buffer(1 << 20);
   for (ssize_t n; (n = ::read(STDIN_FILENO, buffer.data(), buffer.size())) != 0;) {
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0 || !out.write(buffer.data(), n)) throw file_error(ErrorKind::kIo, "-", "cannot be read into a temporary file");
+    if (n < 0 || !out.write(buffer.data(), n))
+      throw file_error(ErrorKind::kIo, "-", "cannot be read into a temporary file");
   }
   if (!out.flush()) throw file_error(ErrorKind::kIo, "-", "cannot be read into a temporary file");
 }
@@ -60,12 +62,14 @@ Tool::Tool(const ToolText& text) : text_(text), app_(text.summary, text.name) {
               "4 internal, 5 not supported, 10 a check or threshold was not met.");
   app_.set_help_flag("-h,--help", "Print this help and exit");
   app_.set_version_flag("--version", [] {
-    return std::string("burnish " BURNISH_VERSION " (" BURNISH_GIT_DESCRIBE "), " BURNISH_COMPILER ", ") + codec_version() + ", " + palette_library_versions() +
-           ", oneTBB " + thread_library_version() + ", CLI11 " CLI11_VERSION;
+    return std::string("burnish " BURNISH_VERSION " (" BURNISH_GIT_DESCRIBE "), " BURNISH_COMPILER ", ") +
+           codec_version() + ", " + palette_library_versions() + ", oneTBB " + thread_library_version() +
+           ", CLI11 " CLI11_VERSION;
   });
   app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   app_.add_flag("-q,--quiet", quiet_, "Nothing on standard error but errors")->group("Common");
-  app_.add_flag("-v,--verbose", verbose_, "Adds the full command line to an error, and what the codecs say")->group("Common");
+  app_.add_flag("-v,--verbose", verbose_, "Adds the full command line to an error, and what the codecs say")
+      ->group("Common");
   app_.add_option("-j,--threads", threads_, "Threads; 0 uses all. The output never depends on it")
       ->check(CLI::Range(0, 4096))
       ->type_name("N")
@@ -73,11 +77,13 @@ Tool::Tool(const ToolText& text) : text_(text), app_(text.summary, text.name) {
   app_.add_option("--report", report_, "Write what was done and measured as JSON; '-' is standard output")
       ->type_name("FILE")
       ->group("Common");
-  app_.add_option("--depfile", depfile_, "Write what was read, in the syntax of Make")->type_name("FILE")->group("Common");
+  app_.add_option("--depfile", depfile_, "Write what was read, in the syntax of Make")
+      ->type_name("FILE")
+      ->group("Common");
 }
 
-// Codecs print what they make of a damaged file, libpng with no way to stop it. While a tool works, standard error leads nowhere
-// and the tool's own lines go to a copy of it.
+// Codecs print what they make of a damaged file, libpng with no way to stop it. While a tool works, standard error
+// leads nowhere and the tool's own lines go to a copy of it.
 void Tool::silence_codecs() {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers report there
   const int copy = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
@@ -139,8 +145,8 @@ void Tool::write_text(const FileRef& file, const std::string& text) {
 void Tool::finish(const Json& stats, double seconds) {
   const std::string first_output = outputs_.empty() ? "" : outputs_.front();
   if (!report_.empty()) {
-    const Json report{{"tool", text_.name}, {"version", BURNISH_VERSION}, {"command", arguments_}, {"inputs", inputs_},
-                      {"outputs", outputs_}, {"seconds", seconds},        {"stats", stats}};
+    const Json report{{"tool", text_.name},  {"version", BURNISH_VERSION}, {"command", arguments_}, {"inputs", inputs_},
+                      {"outputs", outputs_}, {"seconds", seconds},         {"stats", stats}};
     write_text(report_file_, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   }
   if (!depfile_.empty()) {

@@ -1,6 +1,7 @@
 // What all tools share: parsing, errors and exit codes, inputs and outputs, report, depfile, progress.
 //
-// A tool declares its options on app(), then calls run() with what it does: one library call, and the figures for the report.
+// A tool declares its options on app(), then calls run() with what it does: one library call, and the figures for the
+// report.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -36,7 +37,8 @@ class Tool {
   // Runs `action` once the command line is parsed; returns the exit code. The action's result is the report's "stats".
   int run(int argc, char** argv, const std::function<Json()>& action);
 
-  // For actions. A file that will be read: enters the report and the depfile; "-" is standard input, spooled to a temporary.
+  // For actions. A file that will be read: enters the report and the depfile; "-" is standard input, spooled to a
+  // temporary.
   FileRef read(const std::string& path);
   // A file that was read on the way, such as what a scene names.
   void also_read(const std::string& path) { note_input(path); }

@@ -39,9 +39,7 @@ const std::vector<FileTypeInfo>& file_types() {
   return table;
 }
 
-const FileTypeInfo& info_of(FileType type) {
-  return *std::ranges::find(file_types(), type, &FileTypeInfo::type);
-}
+const FileTypeInfo& info_of(FileType type) { return *std::ranges::find(file_types(), type, &FileTypeInfo::type); }
 
 OIIO::TypeDesc to_oiio(SampleType type) {
   switch (type) {
@@ -71,12 +69,10 @@ std::string codec_from_signature(const FileRef& file) {
   char head[12] = {};
   in.read(head, sizeof head);
   const std::string_view h(head, sizeof head);
-  if (in.gcount() == 0)
-    throw file_error(ErrorKind::kMalformed, file.name, "expected an image, got an empty file");
+  if (in.gcount() == 0) throw file_error(ErrorKind::kMalformed, file.name, "expected an image, got an empty file");
   if (h.starts_with("\x89PNG")) return "png";
   if (h.starts_with("\xff\xd8\xff")) return "jpeg";
-  if (h.starts_with(std::string_view("II*\0", 4)) || h.starts_with(std::string_view("MM\0*", 4)))
-    return "tiff";
+  if (h.starts_with(std::string_view("II*\0", 4)) || h.starts_with(std::string_view("MM\0*", 4))) return "tiff";
   if (h.starts_with("v/1\x01")) return "openexr";
   if (h.starts_with("BM")) return "bmp";
   if (h.starts_with("#?")) return "hdr";
@@ -97,8 +93,8 @@ void require_readable(const FileRef& file) {
     throw file_error(ErrorKind::kIo, file.name, std::string("cannot be read: ") + std::strerror(errno));
 }
 
-// A CheckedFile as OpenImageIO's codecs take it. Most of them look at no result of their own writes: without it a full disk
-// passes unseen.
+// A CheckedFile as OpenImageIO's codecs take it. Most of them look at no result of their own writes: without it a full
+// disk passes unseen.
 class CheckedProxy final : public OIIO::Filesystem::IOProxy {
  public:
   explicit CheckedProxy(const std::string& path) : IOProxy(path, Write), file(path) {}
@@ -157,8 +153,7 @@ void require_can_hold(FileType type, SampleType sample, const std::string& file)
   if (std::ranges::find(t.samples, sample) != t.samples.end()) return;
   std::string holds;
   for (SampleType s : t.samples) holds += (holds.empty() ? "" : " or ") + std::string(name(s));
-  throw file_error(ErrorKind::kUnsupported, file,
-                   std::string(t.name) + " holds " + holds + ", not " + name(sample));
+  throw file_error(ErrorKind::kUnsupported, file, std::string(t.name) + " holds " + holds + ", not " + name(sample));
 }
 
 struct ImageReader::Impl {
@@ -189,8 +184,7 @@ struct ImageReader::Impl {
     const int y0 = spec.y;
     if (spec.tile_width == 0) {
       // The TIFF codec reports success for strips that the file is too short for, and leaves a message.
-      if (!in->read_scanlines(0, 0, y0 + first, y0 + first + count, 0, 0, spec.nchannels, type, out) ||
-          in->has_error())
+      if (!in->read_scanlines(0, 0, y0 + first, y0 + first + count, 0, 0, spec.nchannels, type, out) || in->has_error())
         fail();
       return;
     }
@@ -200,16 +194,16 @@ struct ImageReader::Impl {
       if (tile_first != tiles_first || tiles_type != type) {
         tiles.resize(row_bytes * spec.tile_height);
         tiles_first = -1;
-        if (!in->read_tiles(0, 0, spec.x, spec.x + spec.width, y0 + tile_first, y0 + tile_end, 0, 1, 0,
-                            spec.nchannels, type, tiles.data()) ||
+        if (!in->read_tiles(0, 0, spec.x, spec.x + spec.width, y0 + tile_first, y0 + tile_end, 0, 1, 0, spec.nchannels,
+                            type, tiles.data()) ||
             in->has_error())
           fail();
         tiles_first = tile_first;
         tiles_type = type;
       }
       const int end = std::min(first + count, tile_end);
-      std::memcpy(static_cast<std::byte*>(out) + row_bytes * (y - first),
-                  tiles.data() + row_bytes * (y - tile_first), row_bytes * (end - y));
+      std::memcpy(static_cast<std::byte*>(out) + row_bytes * (y - first), tiles.data() + row_bytes * (y - tile_first),
+                  row_bytes * (end - y));
       y = end;
     }
   }
@@ -257,9 +251,7 @@ const std::vector<std::string>& ImageReader::channel_names() const { return impl
 const std::string& ImageReader::name() const { return impl_->file.name; }
 std::size_t ImageReader::file_bytes() const { return impl_->spec.image_bytes(true); }
 
-void ImageReader::read_rows(int first, int count, float* out) {
-  impl_->read(first, count, OIIO::TypeDesc::FLOAT, out);
-}
+void ImageReader::read_rows(int first, int count, float* out) { impl_->read(first, count, OIIO::TypeDesc::FLOAT, out); }
 
 void ImageReader::read_rows_stored(int first, int count, void* out) {
   impl_->read(first, count, impl_->spec.format, out);
@@ -268,8 +260,8 @@ void ImageReader::read_rows_stored(int first, int count, void* out) {
 void ImageReader::require_size(int w, int h, const std::string& what) const {
   if (width() == w && height() == h) return;
   throw file_error(ErrorKind::kMalformed, name(),
-                   "expected " + std::to_string(w) + "x" + std::to_string(h) + " texels as in " + what +
-                       ", got " + std::to_string(width()) + "x" + std::to_string(height()));
+                   "expected " + std::to_string(w) + "x" + std::to_string(h) + " texels as in " + what + ", got " +
+                       std::to_string(width()) + "x" + std::to_string(height()));
 }
 
 struct ImageWriter::Impl {
@@ -281,9 +273,7 @@ struct ImageWriter::Impl {
   int next = 0;
   std::vector<std::byte> converted;
 
-  [[noreturn]] void fail() {
-    throw to->file.error(file.name, out ? one_line(out->geterror()) : "");
-  }
+  [[noreturn]] void fail() { throw to->file.error(file.name, out ? one_line(out->geterror()) : ""); }
 
   void write(int count, const void* rows, OIIO::TypeDesc type) {
     if (!out->write_scanlines(next, next + count, 0, type, rows) || to->file.first_error()) fail();
@@ -291,15 +281,14 @@ struct ImageWriter::Impl {
   }
 };
 
-ImageWriter::ImageWriter(const FileRef& file, FileType type, SampleType sample, int width, int height,
-                         int channels, const Attributes& attributes)
+ImageWriter::ImageWriter(const FileRef& file, FileType type, SampleType sample, int width, int height, int channels,
+                         const Attributes& attributes)
     : impl_(std::make_unique<Impl>()) {
   require_can_hold(type, sample, file.name);
   impl_->file = file;
   impl_->sample = sample;
   impl_->out = OIIO::ImageOutput::create(info_of(type).codec);
-  if (!impl_->out)
-    throw file_error(ErrorKind::kUnsupported, file.name, "no codec for " + std::string(name(type)));
+  if (!impl_->out) throw file_error(ErrorKind::kUnsupported, file.name, "no codec for " + std::string(name(type)));
   OIIO::ImageSpec& spec = impl_->spec;
   spec = OIIO::ImageSpec(width, height, channels, to_oiio(sample));
   if (channels == 1) spec.channelnames = {"Y"};
@@ -331,15 +320,12 @@ void ImageWriter::write_rows(int count, const float* rows) {
       to[i] = static_cast<std::remove_reference_t<decltype(*to)>>(v * max + 0.5f);
     }
   };
-  if (impl_->sample == SampleType::kUint8)
-    round(reinterpret_cast<std::uint8_t*>(impl_->converted.data()), 255.f);
+  if (impl_->sample == SampleType::kUint8) round(reinterpret_cast<std::uint8_t*>(impl_->converted.data()), 255.f);
   else round(reinterpret_cast<std::uint16_t*>(impl_->converted.data()), 65535.f);
   write_rows_stored(count, impl_->converted.data());
 }
 
-void ImageWriter::write_rows_stored(int count, const void* rows) {
-  impl_->write(count, rows, impl_->spec.format);
-}
+void ImageWriter::write_rows_stored(int count, const void* rows) { impl_->write(count, rows, impl_->spec.format); }
 
 void ImageWriter::close() {
   if (!impl_->out->close()) impl_->fail();
@@ -368,9 +354,8 @@ ByteImage read_ids(const FileRef& file, int width, int height) {
     throw file_error(ErrorKind::kMalformed, file.name,
                      "expected 1 channel of material ids, got " + std::to_string(reader.channels()));
   if (!reader.has_exact_samples() || reader.sample_type() != SampleType::kUint8)
-    throw file_error(
-        ErrorKind::kMalformed, file.name,
-        std::string("expected material ids as uint8, got ") + burnish::name(reader.sample_type()));
+    throw file_error(ErrorKind::kMalformed, file.name,
+                     std::string("expected material ids as uint8, got ") + burnish::name(reader.sample_type()));
   reader.require_size(width, height, "the normal map");
   ByteImage ids(width, height);
   reader.read_rows_stored(0, height, ids.data.data());
@@ -395,8 +380,8 @@ void set_codec_threads(int threads) {
 }
 
 std::string codec_version() {
-  return "OpenImageIO " + std::to_string(OIIO_VERSION_MAJOR) + "." + std::to_string(OIIO_VERSION_MINOR) +
-         "." + std::to_string(OIIO_VERSION_PATCH);
+  return "OpenImageIO " + std::to_string(OIIO_VERSION_MAJOR) + "." + std::to_string(OIIO_VERSION_MINOR) + "." +
+         std::to_string(OIIO_VERSION_PATCH);
 }
 
 }  // namespace burnish

@@ -1,9 +1,9 @@
 // Image files in and out, in bands of rows, with data kept as data.
 //
-// The only user of OpenImageIO. Samples are never colour-converted, multiplied by alpha or rotated; integers read as floats
-// are divided by their maximum, floats are taken as they are. Writers put no clock and no path into a file.
-// Errors: kIo where a file is missing, a directory, unreadable or unwritable; kMalformed where its content is damaged or of no
-// known type; kUnsupported where it is valid but beyond what is read here.
+// The only user of OpenImageIO. Samples are never colour-converted, multiplied by alpha or rotated; integers read as
+// floats are divided by their maximum, floats are taken as they are. Writers put no clock and no path into a file.
+// Errors: kIo where a file is missing, a directory, unreadable or unwritable; kMalformed where its content is damaged
+// or of no known type; kUnsupported where it is valid but beyond what is read here.
 #pragma once
 
 #include <cstdint>
@@ -57,7 +57,8 @@ class ImageReader {
   std::size_t file_bytes() const;   // of the pixels, uncompressed, as stored
   bool has_exact_samples() const;   // the file stores exactly sample_type()
 
-  // Rows [first, first + count) of all channels, interleaved, as float. Rows may be read in any order; ascending is fast.
+  // Rows [first, first + count) of all channels, interleaved, as float. Rows may be read in any order; ascending is
+  // fast.
   void read_rows(int first, int count, float* out);
   // The stored samples without conversion, size as sample_type(); only where has_exact_samples().
   void read_rows_stored(int first, int count, void* out);

@@ -1,8 +1,8 @@
 // Sizes of mip levels, and the weights with which texels of one level make a texel of the next.
 //
-// Level sizes are ⌊n/2⌋, at least 1. An even side of 2m texels averages pairs. An odd side of 2m + 1 makes m texels, each
-// (2m + 1)/m of the finer texels wide: texel i covers the finer 2i, 2i+1, 2i+2 with weights m−i, m, i+1 out of 2m + 1, so that
-// each finer texel counts the same in the end and no texel shifts. Weights are integers: ties are exact.
+// Level sizes are ⌊n/2⌋, at least 1. An even side of 2m texels averages pairs. An odd side of 2m + 1 makes m texels,
+// each (2m + 1)/m of the finer texels wide: texel i covers the finer 2i, 2i+1, 2i+2 with weights m−i, m, i+1 out of 2m
+// + 1, so that each finer texel counts the same in the end and no texel shifts. Weights are integers: ties are exact.
 // Source: Guthe & Heckbert, "Non-power-of-two mipmapping" (NVIDIA, 2005).
 #pragma once
 

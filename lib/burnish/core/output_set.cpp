@@ -41,8 +41,8 @@ void withdraw(int slot) { std::free(const_cast<char*>(g_temporaries[slot].exchan
 std::string create_unique(const fs::path& directory, const std::string& name) {
   const std::string stem = name.substr(0, 200);  // of the 255 bytes a name may have
   for (int n = 0; n < 1000; n++) {
-    const fs::path p = directory / ("." + stem + "." + std::to_string(::getpid()) + "-" + std::to_string(n) +
-                                    ".burnish-tmp");
+    const fs::path p =
+        directory / ("." + stem + "." + std::to_string(::getpid()) + "-" + std::to_string(n) + ".burnish-tmp");
     const int fd = ::open(p.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (fd >= 0) {
       ::close(fd);
@@ -60,17 +60,14 @@ fs::path scratch_directory() {
 
 bool same_file(const std::string& a, const std::string& b) {
   struct stat sa, sb;
-  return ::stat(a.c_str(), &sa) == 0 && ::stat(b.c_str(), &sb) == 0 && sa.st_dev == sb.st_dev &&
-         sa.st_ino == sb.st_ino;
+  return ::stat(a.c_str(), &sa) == 0 && ::stat(b.c_str(), &sb) == 0 && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
 }
 
 // Whether two names lead to one place, where there is a file or not.
 bool same_place(const std::string& a, const std::string& b) {
   if (a == "-" || b == "-") return a == b;
   const fs::path pa(a), pb(b);
-  const auto directory = [](const fs::path& p) {
-    return p.has_parent_path() ? p.parent_path().string() : ".";
-  };
+  const auto directory = [](const fs::path& p) { return p.has_parent_path() ? p.parent_path().string() : "."; };
   return pa.filename() == pb.filename() && same_file(directory(pa), directory(pb));
 }
 

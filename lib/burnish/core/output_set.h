@@ -1,8 +1,8 @@
 // Outputs that appear all together and whole, or not at all.
 //
-// Each is written to a temporary beside its target, so that the final rename stays within one file system, under a name that
-// no build's `*.png` matches; commit() renames them in the order of their ranks, then in that they were added. Destroyed without a commit, the set removes
-// what it wrote and every old file is as it was.
+// Each is written to a temporary beside its target, so that the final rename stays within one file system, under a name
+// that no build's `*.png` matches; commit() renames them in the order of their ranks, then in that they were added.
+// Destroyed without a commit, the set removes what it wrote and every old file is as it was.
 #pragma once
 
 #include <string>
@@ -41,7 +41,8 @@ class OutputSet {
   std::vector<std::string> inputs_;
 };
 
-// A new empty file in the directory for temporary files, removed like the temporaries of outputs; used to hold standard input.
+// A new empty file in the directory for temporary files, removed like the temporaries of outputs; used to hold standard
+// input.
 class ScratchFile {
  public:
   ScratchFile();

@@ -35,7 +35,9 @@ inline std::string thread_library_version() {
 }
 
 // How many threads may run now; for libraries that keep threads of their own.
-inline int thread_limit() { return int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)); }
+inline int thread_limit() {
+  return int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
 
 // body(i) for each i in [0, count).
 template <typename Body>

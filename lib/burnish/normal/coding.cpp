@@ -14,14 +14,19 @@ constexpr float kShortest = 1e-3f;  // below it a vector has no direction to spe
 int channel_of_letter(char c) {
   switch (std::tolower(static_cast<unsigned char>(c))) {
     case 'x':
-    case 'r': return 0;
+    case 'r':
+      return 0;
     case 'y':
-    case 'g': return 1;
+    case 'g':
+      return 1;
     case 'z':
-    case 'b': return 2;
+    case 'b':
+      return 2;
     case 'w':
-    case 'a': return 3;
-    default: return -1;
+    case 'a':
+      return 3;
+    default:
+      return -1;
   }
 }
 
@@ -84,7 +89,8 @@ void NormalReader::read_rows(int first, int count, Vec3f* out) {
       const float x = t[component_[0]], y = t[component_[1]], z = component_[2] < 0 ? 0.f : t[component_[2]];
       if (!std::isfinite(x + y + z)) {
         std::size_t least = broken;
-        while (i < least && !broken.compare_exchange_weak(least, i)) {}
+        while (i < least && !broken.compare_exchange_weak(least, i)) {
+        }
         continue;
       }
       bool short_vector;

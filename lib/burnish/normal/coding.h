@@ -1,8 +1,9 @@
 // How unit vectors are stored in image samples, and read back.
 //
-// Stored in integers a component v becomes c = ½v + ½ of the full range, rounded half up (n = 2·c/255 − 1 at 8 bits, so 0
-// stores as 128 and a flat normal comes back 0.32° off); in floats v itself. Decoding renormalises; a vector shorter than 1e-3
-// is invalid, is counted, and becomes (0,0,1). +Y is up inside; GreenAxis::kDown flips y on the way in and out.
+// Stored in integers a component v becomes c = ½v + ½ of the full range, rounded half up (n = 2·c/255 − 1 at 8 bits, so
+// 0 stores as 128 and a flat normal comes back 0.32° off); in floats v itself. Decoding renormalises; a vector shorter
+// than 1e-3 is invalid, is counted, and becomes (0,0,1). +Y is up inside; GreenAxis::kDown flips y on the way in and
+// out.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +44,8 @@ class NormalReader {
 
   // Unit vectors of rows [first, first + count). Runs in parallel. kMalformed for NaN or infinity.
   void read_rows(int first, int count, Vec3f* out);
-  // One vector from its stored components, as read_rows does it; integers scaled to [0,1]. Sets `invalid` where it is too short.
+  // One vector from its stored components, as read_rows does it; integers scaled to [0,1]. Sets `invalid` where it is
+  // too short.
   Vec3f decode(float x, float y, float z, bool& invalid) const;
 
   std::size_t invalid_texels() const { return invalid_; }
@@ -66,8 +68,8 @@ bool is_biased(NormalEncoding encoding, bool integer_samples);
 // kUnsupported for the signed encoding in integers: they hold no negative values.
 void require_encodable(const NormalCoding& coding, SampleType sample, const std::string& name);
 
-// One row of unit vectors to samples, three a texel; `out` is what ImageWriter::write_rows_stored takes for kUint8 and kUint16,
-// and floats for the others.
+// One row of unit vectors to samples, three a texel; `out` is what ImageWriter::write_rows_stored takes for kUint8 and
+// kUint16, and floats for the others.
 void encode_normals(const Vec3f* in, int count, const NormalCoding& coding, SampleType sample, void* out);
 
 }  // namespace burnish

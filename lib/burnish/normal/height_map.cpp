@@ -16,17 +16,24 @@ namespace {
 // atan on [0,1] to 2e-8 (Abramowitz & Stegun 4.4.49): for the report, where libm's would cost as much as the fit.
 double arc_tangent(double x) {
   const double y = x * x;
-  return x * (1 + y * (-0.3333314528 + y * (0.1999355085 + y * (-0.1420889944 + y * (0.1065626393 + y * (-0.0752896400 +
-             y * (0.0429096138 + y * (-0.0161657367 + y * 0.0028662257))))))));
+  return x *
+         (1 + y * (-0.3333314528 +
+                   y * (0.1999355085 +
+                        y * (-0.1420889944 +
+                             y * (0.1065626393 + y * (-0.0752896400 +
+                                                      y * (0.0429096138 + y * (-0.0161657367 + y * 0.0028662257))))))));
 }
 
 // Which row or column stands at i, for i outside [0, n) too; −1: none.
 int wrapped(int i, int n, Wrap wrap) {
   if (i >= 0 && i < n) return i;
   switch (wrap) {
-    case Wrap::kFit: return -1;
-    case Wrap::kClamp: return i < 0 ? 0 : n - 1;
-    case Wrap::kRepeat: return ((i % n) + n) % n;
+    case Wrap::kFit:
+      return -1;
+    case Wrap::kClamp:
+      return i < 0 ? 0 : n - 1;
+    case Wrap::kRepeat:
+      return ((i % n) + n) % n;
     case Wrap::kMirror: {
       const int m = ((i % (2 * n)) + 2 * n) % (2 * n);
       return m < n ? m : 2 * n - 1 - m;
@@ -56,9 +63,9 @@ int find_channel(const ImageReader& reader, const std::string& wanted) {
 // A band of rows with what its texels' neighbourhoods need around it.
 struct Band {
   int first = 0, rows = 0;
-  int stride = 0;                     // width + 2·radius
-  std::vector<float> displacement;    // (rows + 2·radius) × stride, of values in [0,1] or as the file has them
-  std::vector<std::uint8_t> exists;   // same shape; empty where every texel does
+  int stride = 0;                    // width + 2·radius
+  std::vector<float> displacement;   // (rows + 2·radius) × stride, of values in [0,1] or as the file has them
+  std::vector<std::uint8_t> exists;  // same shape; empty where every texel does
   std::vector<std::byte> encoded;
   double tilt_sum = 0, steepest = 0;  // of angles; tangent of half the largest
   std::size_t taking_part = 0, degenerate = 0;
@@ -385,10 +392,8 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
     return band;
   };
   const auto write = [&](const std::shared_ptr<Band>& band) {
-    if (stored)
-      writer.write_rows_stored(band->rows, band->encoded.data());
-    else
-      writer.write_rows(band->rows, reinterpret_cast<const float*>(band->encoded.data()));
+    if (stored) writer.write_rows_stored(band->rows, band->encoded.data());
+    else writer.write_rows(band->rows, reinterpret_cast<const float*>(band->encoded.data()));
     tilt_sum += band->tilt_sum;
     steepest = std::max(steepest, band->steepest);
     taking_part += band->taking_part;
@@ -396,10 +401,11 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
     report_progress(progress, double(band->first + band->rows) / stats.height);
   };
   constexpr std::size_t kBandsInFlight = 4;
-  tbb::parallel_pipeline(kBandsInFlight,
-                         tbb::make_filter<void, std::shared_ptr<Band>>(tbb::filter_mode::serial_in_order, read) &
-                             tbb::make_filter<std::shared_ptr<Band>, std::shared_ptr<Band>>(tbb::filter_mode::parallel, fit) &
-                             tbb::make_filter<std::shared_ptr<Band>, void>(tbb::filter_mode::serial_in_order, write));
+  tbb::parallel_pipeline(
+      kBandsInFlight,
+      tbb::make_filter<void, std::shared_ptr<Band>>(tbb::filter_mode::serial_in_order, read) &
+          tbb::make_filter<std::shared_ptr<Band>, std::shared_ptr<Band>>(tbb::filter_mode::parallel, fit) &
+          tbb::make_filter<std::shared_ptr<Band>, void>(tbb::filter_mode::serial_in_order, write));
   writer.close();
   stats.max_slope_deg = degrees(2 * std::atan(steepest));
   stats.mean_tilt_deg = taking_part ? degrees(tilt_sum / double(taking_part)) : 0;

@@ -1,7 +1,7 @@
 // Displacement map to normal map, streamed in bands of rows (Tarini et al., section 4.1).
 //
-// Memory holds a few bands, whatever the height of the map. Reading, fitting and writing overlap; the fit of each texel depends
-// on its neighbourhood alone, so that no result depends on the number of threads or on where a band ends.
+// Memory holds a few bands, whatever the height of the map. Reading, fitting and writing overlap; the fit of each texel
+// depends on its neighbourhood alone, so that no result depends on the number of threads or on where a band ends.
 #pragma once
 
 #include <string>
@@ -34,9 +34,9 @@ struct HeightMapOptions {
 
 struct HeightMapStats {
   int width = 0, height = 0;
-  double max_slope_deg = 0;           // steepest angle between a plane and the map
-  double mean_tilt_deg = 0;           // its mean over the texels that take part
-  std::size_t degenerate_texels = 0;  // fewer than three usable points off a line: stored as (0,0,1)
+  double max_slope_deg = 0;             // steepest angle between a plane and the map
+  double mean_tilt_deg = 0;             // its mean over the texels that take part
+  std::size_t degenerate_texels = 0;    // fewer than three usable points off a line: stored as (0,0,1)
   bool colour_channels_differ = false;  // and none was chosen
 };
 
@@ -47,8 +47,8 @@ struct NormalMapTarget {
   NormalCoding coding;  // channels are not used
 };
 
-// kMalformed for NaN or infinity where the mask does not exclude it, and for a mask of another size; kUsage for sizes and heights
-// out of range and for a channel the file does not have.
+// kMalformed for NaN or infinity where the mask does not exclude it, and for a mask of another size; kUsage for sizes
+// and heights out of range and for a channel the file does not have.
 HeightMapStats convert_height_map(const FileRef& height, const HeightMapOptions& options, const NormalMapTarget& target,
                                   const Progress& progress = {});
 

@@ -27,8 +27,7 @@ Neighborhood make_neighborhood(int q, FitWeights weights) {
   double second_moment = 0, sum = 0;
   for (int i = -r; i <= r; i++) second_moment += g(i) * i * i, sum += g(i);
   for (int i = 0; i <= r; i++) n.derivative.push_back(float(g(i) * i / second_moment));
-  if (cross)
-    n.smoothing = {1.f};
+  if (cross) n.smoothing = {1.f};
   else
     for (int i = 0; i <= r; i++) n.smoothing.push_back(float(g(i) / sum));
   return n;
@@ -51,7 +50,8 @@ PlaneSlope fit_plane(const Neighborhood& neighborhood, const float* d, const boo
     xx += wi * x * x, xy += wi * x * y, yy += wi * y * y;
     xd += wi * x * (d[i] - md), yd += wi * y * (d[i] - md);
   }
-  // On a line the determinant is 0 but for rounding; the least three points off a line leave more than 1e-4 of this square.
+  // On a line the determinant is 0 but for rounding; the least three points off a line leave more than 1e-4 of this
+  // square.
   const double det = xx * yy - xy * xy;
   if (det < 1e-9 * (xx + yy) * (xx + yy) || xx + yy == 0) return {};
   return {(xd * yy - yd * xy) / det, (yd * xx - xd * xy) / det, true};

@@ -1,14 +1,15 @@
 // Least-squares planes through a texel and its neighbours (Tarini et al., section 4.1).
 //
-// In a frame with x right, y up and d the displacement, the plane a₀x + a₁y + a₂ minimises Σ wᵢ(a₀xᵢ + a₁yᵢ + a₂ − dᵢ)² over the
-// texel and its q neighbours; the normal is (−a₀, −a₁, 1)/‖·‖. Positions are in texels here: a₀ and a₁ are displacement per texel.
-// (The paper's X has q rows; the texel itself takes part here as one more, as the contract says. For a whole symmetric
-// neighbourhood that changes a₂ only.)
+// In a frame with x right, y up and d the displacement, the plane a₀x + a₁y + a₂ minimises Σ wᵢ(a₀xᵢ + a₁yᵢ + a₂ − dᵢ)²
+// over the texel and its q neighbours; the normal is (−a₀, −a₁, 1)/‖·‖. Positions are in texels here: a₀ and a₁ are
+// displacement per texel. (The paper's X has q rows; the texel itself takes part here as one more, as the contract
+// says. For a whole symmetric neighbourhood that changes a₂ only.)
 //
-// Where the whole neighbourhood exists, its symmetry decouples the normal equations and each slope is a fixed convolution:
+// Where the whole neighbourhood exists, its symmetry decouples the normal equations and each slope is a fixed
+// convolution:
 //   a₀ = Σ wᵢxᵢdᵢ / Σ wᵢxᵢ²
-// which for the square neighbourhoods is a derivative along one axis times a smoothing along the other. Where some texels are
-// missing, the 3×3 system is solved; centring on the weighted means leaves 2×2 of it.
+// which for the square neighbourhoods is a derivative along one axis times a smoothing along the other. Where some
+// texels are missing, the 3×3 system is solved; centring on the weighted means leaves 2×2 of it.
 #pragma once
 
 #include <vector>
@@ -37,7 +38,7 @@ struct Neighborhood {
 Neighborhood make_neighborhood(int q, FitWeights weights);
 
 struct PlaneSlope {
-  double a0 = 0, a1 = 0;   // per texel, right and up
+  double a0 = 0, a1 = 0;    // per texel, right and up
   bool determined = false;  // false: fewer than three points off a line, and a0 = a1 = 0
 };
 

@@ -7,7 +7,8 @@ namespace {
 
 constexpr int kSide = kBlueNoiseSide, kTexels = kSide * kSide;
 
-// Which texels are set, and under what energy each lies: a sum of Gaussians, in integers so that ties are ties everywhere.
+// Which texels are set, and under what energy each lies: a sum of Gaussians, in integers so that ties are ties
+// everywhere.
 class Pattern {
  public:
   Pattern() : set_(kTexels), energy_(kTexels), kernel_(kTexels) {
@@ -35,7 +36,8 @@ class Pattern {
   int extreme(bool of_set) const {
     int best = -1;
     for (int i = 0; i < kTexels; i++)
-      if (set_[i] == of_set && (best < 0 || (of_set ? energy_[i] > energy_[best] : energy_[i] < energy_[best]))) best = i;
+      if (set_[i] == of_set && (best < 0 || (of_set ? energy_[i] > energy_[best] : energy_[i] < energy_[best])))
+        best = i;
     return best;
   }
   std::vector<char> set_;

@@ -1,4 +1,5 @@
-// A blue-noise threshold tile by void-and-cluster (Ulichney, "The void-and-cluster method for dither array generation", 1993).
+// A blue-noise threshold tile by void-and-cluster (Ulichney, "The void-and-cluster method for dither array generation",
+// 1993).
 #pragma once
 
 #include <cstdint>

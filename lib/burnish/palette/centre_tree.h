@@ -39,14 +39,15 @@ class CentreTree {
     }
   }
 
-  // body(index, squared distance) for every member nearer to v than √reach2. Where it returns false the search ends, and so
-  // does this, with false.
+  // body(index, squared distance) for every member nearer to v than √reach2. Where it returns false the search ends,
+  // and so does this, with false.
   template <typename Body>
   bool for_each_within(Vec3f v, float reach2, const Body& body) const {
     return order_.empty() || visit(0, v, reach2, body);
   }
 
-  // The member nearest to v among those nearer than √best2, other than `except`; −1 if there is none. Ties go to the smaller index.
+  // The member nearest to v among those nearer than √best2, other than `except`; −1 if there is none. Ties go to the
+  // smaller index.
   int nearest(Vec3f v, float& best2, int except = -1) const {
     int found = -1;
     if (!order_.empty()) search(0, v, best2, found, except);
@@ -92,8 +93,7 @@ class CentreTree {
     constexpr int kTask = 2048;
     if (end - begin > kTask)
       parallel_invoke([&] { build(2 * at + 1, begin, middle); }, [&] { build(2 * at + 2, middle, end); });
-    else
-      build(2 * at + 1, begin, middle), build(2 * at + 2, middle, end);
+    else build(2 * at + 1, begin, middle), build(2 * at + 2, middle, end);
   }
 
   bool is_leaf(std::size_t at) const { return 2 * at + 2 >= nodes_.size(); }

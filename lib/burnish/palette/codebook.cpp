@@ -107,7 +107,8 @@ std::vector<Cells> split_into_cells(std::span<const std::vector<WeightedNormal>>
 
 std::vector<int> share_entries(std::span<const std::vector<WeightedNormal>> points, int n) {
   std::vector<int> share;
-  for (const Cells& cells : split_into_cells(points, n, count_points(points, n))) share.push_back(int(cells.centres.size()));
+  for (const Cells& cells : split_into_cells(points, n, count_points(points, n)))
+    share.push_back(int(cells.centres.size()));
   return share;
 }
 
@@ -136,10 +137,8 @@ Codebook fit_codebook(std::span<const std::vector<WeightedNormal>> points, int n
     if (relocate(groups, eager, std::max(1, n / 8)) == 0) break;
     const double error = lloyd_until_still(groups, 4, 1e-3);
     if (error > best.error * (1 - kLittle)) eager *= 0.6;
-    if (error < best.error)
-      best.error = error;
-    else
-      restore(groups, before);
+    if (error < best.error) best.error = error;
+    else restore(groups, before);
   }
   lloyd_until_still(groups, 60, 5e-5);
   best.error = lloyd(groups, 0);

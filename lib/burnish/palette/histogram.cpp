@@ -17,7 +17,8 @@ constexpr int kLanes = 8;  // tables filled side by side; their number is fixed,
 constexpr int kBandRows = 128;
 constexpr int kAhead = 12;  // texels between the prefetch of a slot and its use
 
-// Calls body(lane, keys of the row, y) for every row, lanes in parallel, while the next band is read; stops where it returns false.
+// Calls body(lane, keys of the row, y) for every row, lanes in parallel, while the next band is read; stops where it
+// returns false.
 template <typename Body>
 bool for_each_row(TexelKeys& texels, const Progress& progress, const Body& body) {
   const int w = texels.width(), h = texels.height();
@@ -56,14 +57,13 @@ void make_groups(const std::vector<Histogram::Key>& keys, Histogram& out) {
   for (std::size_t i = 0; i < out.groups.size(); i++) {
     std::vector<WeightedNormal>& g = out.groups[i];
     std::ranges::sort(g, [](const WeightedNormal& a, const WeightedNormal& b) {
-      return std::tie(a.normal.x, a.normal.y, a.normal.z, a.weight) < std::tie(b.normal.x, b.normal.y, b.normal.z, b.weight);
+      return std::tie(a.normal.x, a.normal.y, a.normal.z, a.weight) <
+             std::tie(b.normal.x, b.normal.y, b.normal.z, b.weight);
     });
     std::size_t kept = 0;  // different codes can mean one normal
     for (const WeightedNormal& p : g) {
-      if (kept && g[kept - 1].normal == p.normal)
-        g[kept - 1].weight += p.weight;
-      else
-        g[kept++] = p;
+      if (kept && g[kept - 1].normal == p.normal) g[kept - 1].weight += p.weight;
+      else g[kept++] = p;
     }
     g.resize(kept);
     if (counts[i]) out.distinct += kept;
@@ -80,7 +80,8 @@ bool count_exactly(TexelKeys& texels, const TexelClasses& classes, const Progres
       const bool counts = classes.counts_at(x, y);
       if (x + kAhead < w) table.prefetch(std::uint64_t(material) << 48 | keys[x + kAhead]);
       int end = x + 1;
-      while (end < w && keys[end] == keys[x] && classes.material_at(end, y) == material && classes.counts_at(end, y) == counts)
+      while (end < w && keys[end] == keys[x] && classes.material_at(end, y) == material &&
+             classes.counts_at(end, y) == counts)
         end++;
       table[std::uint64_t(material) << 48 | keys[x]] += counts ? std::uint32_t(end - x) : 0;
       x = end;

@@ -1,8 +1,8 @@
 // Which normals a map holds, of which material, and how often: what a palette is fitted to.
 //
-// Every distinct normal is kept while there are at most 2^21 of them. A map of more is counted in octahedral bins of 2·16 bits, or as
-// many fewer as it takes to have at most 2^20; a bin stands for the mean of what fell into it. Counted in integers, so that the
-// result does not depend on the order, nor on threads.
+// Every distinct normal is kept while there are at most 2^21 of them. A map of more is counted in octahedral bins of
+// 2·16 bits, or as many fewer as it takes to have at most 2^20; a bin stands for the mean of what fell into it. Counted
+// in integers, so that the result does not depend on the order, nor on threads.
 #pragma once
 
 #include <optional>
@@ -28,13 +28,14 @@ struct TexelClasses {
 struct Histogram {
   std::vector<int> material;                        // ids that occur, ascending
   std::vector<std::vector<WeightedNormal>> groups;  // of each: distinct normals and their counts; never empty
-  std::vector<char> counts;                         // of each: whether any texel does; otherwise its points stand in, once each
-  std::size_t texels = 0;                           // that count
-  std::size_t distinct = 0;                         // (material, normal) pairs among them; bins where not exact
-  std::size_t invalid_texels = 0;                   // vectors without a direction
+  std::vector<char> counts;        // of each: whether any texel does; otherwise its points stand in, once each
+  std::size_t texels = 0;          // that count
+  std::size_t distinct = 0;        // (material, normal) pairs among them; bins where not exact
+  std::size_t invalid_texels = 0;  // vectors without a direction
   bool exact = true;
 
-  // Where exact: every key (material << 48 | texel key) that occurs, masked texels' too, numbered as keys and normals below.
+  // Where exact: every key (material << 48 | texel key) that occurs, masked texels' too, numbered as keys and normals
+  // below.
   KeyTable table;
   struct Key {
     int group;

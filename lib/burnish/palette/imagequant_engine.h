@@ -12,8 +12,8 @@ constexpr int kImagequantMost = 256;
 // Whether it was linked (BURNISH_WITH_IMAGEQUANT).
 bool has_imagequant();
 
-// At most n unit entries. Colours are opaque, since the library multiplies by alpha, and its gamma is set so that it works in
-// linear values. kUnsupported where it was not linked or n is beyond 256.
+// At most n unit entries. Colours are opaque, since the library multiplies by alpha, and its gamma is set so that it
+// works in linear values. kUnsupported where it was not linked or n is beyond 256.
 std::vector<Vec3f> fit_imagequant(const std::vector<WeightedNormal>& points, int n);
 
 }  // namespace burnish

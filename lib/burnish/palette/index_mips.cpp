@@ -69,18 +69,20 @@ class MeanPyramid {
         base += parallel_sum<AngleStats>(std::size_t(counted) * w, 1 << 14, [&](std::size_t begin, std::size_t end) {
           AngleStats s;
           for (std::size_t i = begin; i < end; i++)
-            s.add(angle_rad(Vec3d(band[i]), Vec3d(map.palette.normals[map.levels[0].data[std::size_t(first) * w + i]])));
+            s.add(
+                angle_rad(Vec3d(band[i]), Vec3d(map.palette.normals[map.levels[0].data[std::size_t(first) * w + i]])));
           return s;
         });
       }
       for (std::size_t part = 0; part < parts; part++)
-        average_rows(w, h,
-                     [&](int x, int y) {
-                       const int index = *map.levels[0].at(x, y);
-                       if (by_material && map.palette.interval_of(index) != int(part)) return Vec3f{};
-                       return source ? band[std::size_t(y - first) * w + x] : map.palette.normals[index];
-                     },
-                     y0, y1, levels_[part]);
+        average_rows(
+            w, h,
+            [&](int x, int y) {
+              const int index = *map.levels[0].at(x, y);
+              if (by_material && map.palette.interval_of(index) != int(part)) return Vec3f{};
+              return source ? band[std::size_t(y - first) * w + x] : map.palette.normals[index];
+            },
+            y0, y1, levels_[part]);
     }
     base_rms_deg_ = base.rms_deg();
   }
@@ -90,8 +92,9 @@ class MeanPyramid {
   void advance() {
     for (MeanLevel& level : levels_) {
       MeanLevel next = next_level_of(level.width, level.height);
-      average_rows(level.width, level.height, [&](int x, int y) { return level.mean[std::size_t(y) * level.width + x]; }, 0,
-                   next.height, next);
+      average_rows(
+          level.width, level.height, [&](int x, int y) { return level.mean[std::size_t(y) * level.width + x]; }, 0,
+          next.height, next);
       level = std::move(next);
     }
   }
@@ -147,8 +150,9 @@ Cover majority(const IndexedMap& map, const IndexImage& finer, int x, int y) {
 std::vector<MipLevelStats> build_index_mips(IndexedMap& map, const IndexMipOptions& options, const Progress& progress) {
   const int all = level_count(map.width(), map.height());
   if (options.levels < 0 || options.levels > all)
-    throw Error(ErrorKind::kUsage, "levels: expected 1 to " + std::to_string(all) + " for " + std::to_string(map.width()) + "x" +
-                                       std::to_string(map.height()) + " texels, got " + std::to_string(options.levels));
+    throw Error(ErrorKind::kUsage, "levels: expected 1 to " + std::to_string(all) + " for " +
+                                       std::to_string(map.width()) + "x" + std::to_string(map.height()) +
+                                       " texels, got " + std::to_string(options.levels));
   const int levels = options.levels == 0 ? all : options.levels;
   const bool from_base = options.average == MipAverage::kBase || !options.source.empty();
   map.levels.resize(1);
@@ -173,8 +177,9 @@ std::vector<MipLevelStats> build_index_mips(IndexedMap& map, const IndexMipOptio
           if (from_base)
             if (const Vec3d mean(truth.mean(texel, cover.material)); length(mean) > 1e-6) wanted = mean;
           // Normals that cancel out point nowhere: the first of them stands for all.
-          const int index = length(wanted) > 1e-6 ? map.palette.materials[cover.material].first + nearest[cover.material](Vec3f(wanted))
-                                                  : cover.first;
+          const int index = length(wanted) > 1e-6
+                                ? map.palette.materials[cover.material].first + nearest[cover.material](Vec3f(wanted))
+                                : cover.first;
           level.data[texel] = std::uint16_t(index);
           if (const Vec3d mean(truth.mean(texel)); length(mean) > 1e-6)
             s.add(angle_rad(mean, Vec3d(map.palette.normals[index])));

@@ -1,8 +1,9 @@
 // The mip chain of an indexed normal map (Tarini et al., section 5.2).
 //
-// Indices cannot be averaged: a coarser texel is the entry that best approximates the average of the normals below it, largest dot
-// product with their sum, among the entries of the material that covers most of it. A tie goes to the material whose summed normal
-// is longer, then to the smaller id. Weights are those of core/mip.h, in integers, so that ties are exact.
+// Indices cannot be averaged: a coarser texel is the entry that best approximates the average of the normals below it,
+// largest dot product with their sum, among the entries of the material that covers most of it. A tie goes to the
+// material whose summed normal is longer, then to the smaller id. Weights are those of core/mip.h, in integers, so that
+// ties are exact.
 #pragma once
 
 #include <vector>
@@ -21,17 +22,20 @@ enum class MipAverage {
 struct IndexMipOptions {
   int levels = 0;  // with the base; 0: all
   MipAverage average = MipAverage::kLevel;
-  FileRef source;       // the unquantized normals, of the same size, to be averaged instead of the base's; implies kBase
+  FileRef source;  // the unquantized normals, of the same size, to be averaged instead of the base's; implies kBase
   NormalCoding coding;  // of the source
 };
 
 struct MipLevelStats {
   int width, height;
-  double rms_deg;  // between its normals and the renormalised mean of the base normals (the source's, where given) under each texel
+  double rms_deg;  // between its normals and the renormalised mean of the base normals (the source's, where given)
+                   // under each texel
 };
 
-// Replaces map.levels[1 …]. kUsage for more levels than there are; kMalformed for a source of another size. Runs in parallel; the
-// result does not depend on threads. Memory: four times the map at most, and as much again for each further material with kBase.
-std::vector<MipLevelStats> build_index_mips(IndexedMap& map, const IndexMipOptions& options, const Progress& progress = {});
+// Replaces map.levels[1 …]. kUsage for more levels than there are; kMalformed for a source of another size. Runs in
+// parallel; the result does not depend on threads. Memory: four times the map at most, and as much again for each
+// further material with kBase.
+std::vector<MipLevelStats> build_index_mips(IndexedMap& map, const IndexMipOptions& options,
+                                            const Progress& progress = {});
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// Indexed maps in OpenEXR, through its own API: what OpenImageIO does to unsigned integer channels and to the attributes of
-// mip chains would change them.
+// Indexed maps in OpenEXR, through its own API: what OpenImageIO does to unsigned integer channels and to the
+// attributes of mip chains would change them.
 #include <ImfChannelList.h>
 #include <ImfFloatVectorAttribute.h>
 #include <ImfFrameBuffer.h>
@@ -34,7 +34,9 @@ Error codec_error(const FileRef& file, const std::exception& error) {
 // A CheckedFile as the library takes it; its own stream passes over a full disk when it closes.
 class CheckedStream final : public Imf::OStream {
  public:
-  explicit CheckedStream(const FileRef& file) : OStream(file.name.c_str()), file_(file.path), name_(file.name) { check(); }
+  explicit CheckedStream(const FileRef& file) : OStream(file.name.c_str()), file_(file.path), name_(file.name) {
+    check();
+  }
   void write(const char bytes[], int n) override {
     file_.write(bytes, std::size_t(n));
     check();
@@ -88,7 +90,8 @@ Palette extract_palette(const Imf::Header& header, const FileRef& file) {
   const auto* flat = header.findTypedAttribute<Imf::FloatVectorAttribute>("burnish:palette");
   const auto* materials = header.findTypedAttribute<Imf::StringAttribute>("burnish:materials");
   if (!flat || flat->value().size() % 3 != 0)
-    throw file_error(ErrorKind::kMalformed, file.name, "expected a palette of normals in the attribute burnish:palette");
+    throw file_error(ErrorKind::kMalformed, file.name,
+                     "expected a palette of normals in the attribute burnish:palette");
   const auto* format = header.findTypedAttribute<Imf::IntAttribute>("burnish:format");
   if (format && format->value() != 1)
     throw file_error(ErrorKind::kUnsupported, file.name,
@@ -122,8 +125,10 @@ Imf::FrameBuffer frame_buffer(std::uint32_t* data, int width, int first_row) {
 
 void require_sane_size(const Imf::Header& header, const FileRef& file) {
   const Imath::Box2i window = header.dataWindow();
-  const std::int64_t w = std::int64_t(window.max.x) - window.min.x + 1, h = std::int64_t(window.max.y) - window.min.y + 1;
-  if (window.min.x != 0 || window.min.y != 0 || w < 1 || h < 1 || w > 1 << 20 || h > 1 << 20 || w * h > std::int64_t(1) << 32)
+  const std::int64_t w = std::int64_t(window.max.x) - window.min.x + 1,
+                     h = std::int64_t(window.max.y) - window.min.y + 1;
+  if (window.min.x != 0 || window.min.y != 0 || w < 1 || h < 1 || w > 1 << 20 || h > 1 << 20 ||
+      w * h > std::int64_t(1) << 32)
     throw file_error(ErrorKind::kMalformed, file.name, "expected a data window from (0,0) of sensible size");
   require_room_for(file, w, h, 16);  // halves are the smallest samples of an EXR
 }
@@ -215,7 +220,8 @@ void write_indexed_exr(const FileRef& file, const IndexedMap& map) {
       for (int ty = 0; ty < out.numYTiles(l); ty += kTileRows) {
         const int last = std::min(ty + kTileRows, out.numYTiles(l)) - 1;
         const int first_row = ty * kTile, end_row = std::min(level.height, (last + 1) * kTile);
-        std::vector<std::uint32_t> band(level.row(first_row), level.row(first_row) + std::size_t(end_row - first_row) * level.width);
+        std::vector<std::uint32_t> band(level.row(first_row),
+                                        level.row(first_row) + std::size_t(end_row - first_row) * level.width);
         out.setFrameBuffer(frame_buffer(band.data(), level.width, first_row));
         out.writeTiles(0, out.numXTiles(l) - 1, ty, last, l);
       }
@@ -243,7 +249,8 @@ void write_palette_exr(const FileRef& file, const Palette& palette) {
   Imf::FrameBuffer buffer;
   char* base = reinterpret_cast<char*>(const_cast<Vec3f*>(palette.normals.data()));
   for (int c = 0; c < 3; c++)
-    buffer.insert(std::string(1, "RGB"[c]), Imf::Slice(Imf::FLOAT, base + c * sizeof(float), sizeof(Vec3f), sizeof(Vec3f) * n));
+    buffer.insert(std::string(1, "RGB"[c]),
+                  Imf::Slice(Imf::FLOAT, base + c * sizeof(float), sizeof(Vec3f), sizeof(Vec3f) * n));
   write_checked(file, [&](CheckedStream& stream) {
     Imf::OutputFile out(stream, header);
     out.setFrameBuffer(buffer);

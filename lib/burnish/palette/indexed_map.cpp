@@ -40,9 +40,12 @@ int Palette::interval_of(int index) const {
 
 bool is_indexed_map(const FileRef& file) {
   switch (signature(file)) {
-    case Signature::kPng: return detail::is_indexed_png(file);
-    case Signature::kExr: return detail::is_indexed_exr(file);
-    default: return false;
+    case Signature::kPng:
+      return detail::is_indexed_png(file);
+    case Signature::kExr:
+      return detail::is_indexed_exr(file);
+    default:
+      return false;
   }
 }
 
@@ -53,8 +56,8 @@ IndexedMap read_indexed_map(const FileRef& file, GreenAxis green) {
   ImageReader reader(file);  // damaged, missing and foreign files say what they are
   throw file_error(ErrorKind::kMalformed, file.name,
                    "expected an indexed normal map (EXR with a channel 'index', or PNG with a palette), got " +
-                       std::to_string(reader.channels()) + (reader.channels() == 1 ? " channel" : " channels") + " of " +
-                       name(reader.sample_type()));
+                       std::to_string(reader.channels()) + (reader.channels() == 1 ? " channel" : " channels") +
+                       " of " + name(reader.sample_type()));
 }
 
 Palette read_palette(const FileRef& file, GreenAxis green) {
@@ -70,8 +73,8 @@ Palette read_palette(const FileRef& file, GreenAxis green) {
   NormalReader reader(file, coding);
   if (reader.height() != 1 || reader.width() > kMaxPaletteSize)
     throw file_error(ErrorKind::kMalformed, file.name,
-                     "expected an indexed normal map or a palette of N x 1 texels, got " + std::to_string(reader.width()) +
-                         "x" + std::to_string(reader.height()));
+                     "expected an indexed normal map or a palette of N x 1 texels, got " +
+                         std::to_string(reader.width()) + "x" + std::to_string(reader.height()));
   Palette palette;
   palette.normals.resize(reader.width());
   reader.read_rows(0, 1, palette.normals.data());
@@ -84,14 +87,16 @@ void write_indexed_map(const FileRef& file, FileType type, const IndexedMap& map
   if (type != FileType::kPng) unsupported(file, type);
   if (map.levels.size() > 1)
     throw file_error(ErrorKind::kUnsupported, file.name,
-                     "PNG holds one level, not " + std::to_string(map.levels.size()) + " (EXR holds all; --split writes one file a level)");
+                     "PNG holds one level, not " + std::to_string(map.levels.size()) +
+                         " (EXR holds all; --split writes one file a level)");
   detail::write_indexed_png(file, map);
 }
 
 void write_palette(const FileRef& file, FileType type, const Palette& palette) {
   if (type == FileType::kExr) return detail::write_palette_exr(file, palette);
   if (type == FileType::kPng) return detail::write_palette_png(file, palette);
-  throw file_error(ErrorKind::kUnsupported, file.name, std::string("a palette is written as EXR or PNG, not ") + name(type));
+  throw file_error(ErrorKind::kUnsupported, file.name,
+                   std::string("a palette is written as EXR or PNG, not ") + name(type));
 }
 
 namespace detail {
@@ -132,30 +137,34 @@ void require_room_for(const FileRef& file, std::int64_t width, std::int64_t heig
   std::error_code unknown;
   const std::uint64_t bytes = std::filesystem::file_size(file.path, unknown);
   if (!unknown && std::uint64_t(width) * std::uint64_t(height) / 8 * std::uint64_t(bits) > kMostExpansion * bytes)
-    throw file_error(ErrorKind::kMalformed, file.name, "is too short for " + std::to_string(width) + "x" +
-                                                           std::to_string(height) + " texels");
+    throw file_error(ErrorKind::kMalformed, file.name,
+                     "is too short for " + std::to_string(width) + "x" + std::to_string(height) + " texels");
 }
 
 void validate(Palette& palette, const std::string& file_name) {
   const int n = int(palette.normals.size());
   if (n < 1 || n > kMaxPaletteSize)
-    throw file_error(ErrorKind::kMalformed, file_name, "expected a palette of 1 to 65536 normals, got " + std::to_string(n));
+    throw file_error(ErrorKind::kMalformed, file_name,
+                     "expected a palette of 1 to 65536 normals, got " + std::to_string(n));
   int next = 0;
   bool seen[256] = {};
   for (const MaterialInterval& m : palette.materials) {
     if (m.first != next || m.count < 1 || m.count > n - next || m.id < 0 || m.id > 255 || seen[m.id])
-      throw file_error(ErrorKind::kMalformed, file_name, "material intervals do not cover the palette of " +
-                                                             std::to_string(n) + " in order, each id once");
+      throw file_error(
+          ErrorKind::kMalformed, file_name,
+          "material intervals do not cover the palette of " + std::to_string(n) + " in order, each id once");
     seen[m.id] = true;
     next += m.count;
   }
   if (next != n)
-    throw file_error(ErrorKind::kMalformed, file_name,
-                     "material intervals cover " + std::to_string(next) + " of " + std::to_string(n) + " palette entries");
+    throw file_error(
+        ErrorKind::kMalformed, file_name,
+        "material intervals cover " + std::to_string(next) + " of " + std::to_string(n) + " palette entries");
   for (Vec3f& v : palette.normals) {
     const double l = length(Vec3d(v));
     if (!(l > 1e-3 && std::isfinite(l)))
-      throw file_error(ErrorKind::kMalformed, file_name, "expected unit normals in the palette, got one without a direction");
+      throw file_error(ErrorKind::kMalformed, file_name,
+                       "expected unit normals in the palette, got one without a direction");
     if (std::abs(l - 1) > 1e-4) v = Vec3f(Vec3d(v) / l);
   }
 }
@@ -170,8 +179,9 @@ void validate(IndexedMap& map, const std::string& file_name) {
       throw file_error(ErrorKind::kMalformed, file_name, "mip level " + std::to_string(l) + " has the wrong size");
     const std::uint16_t most = level.data.empty() ? 0 : *std::ranges::max_element(level.data);
     if (most >= n)
-      throw file_error(ErrorKind::kMalformed, file_name, "expected indices below " + std::to_string(n) + ", got " +
-                                                             std::to_string(most) + " in level " + std::to_string(l));
+      throw file_error(ErrorKind::kMalformed, file_name,
+                       "expected indices below " + std::to_string(n) + ", got " + std::to_string(most) + " in level " +
+                           std::to_string(l));
   }
 }
 

@@ -20,8 +20,8 @@ struct Closer {
 };
 using File = std::unique_ptr<std::FILE, Closer>;
 
-// libpng reports by a call that must not return; an exception passes through its C frames on this platform, and its structs are
-// released by the destructors of Reader and Writer.
+// libpng reports by a call that must not return; an exception passes through its C frames on this platform, and its
+// structs are released by the destructors of Reader and Writer.
 struct PngFailure {
   std::string message;
 };
@@ -29,12 +29,13 @@ struct PngFailure {
 void on_warning(png_structp, png_const_charp) {}
 
 std::string metadata(const Palette& palette) {
-  std::string json = "{\"format\":1,\"space\":\"" + std::string(name(palette.space)) + "\",\"y\":\"up\",\"materials\":" +
-                     materials_to_json(palette.materials) + ",\"palette\":[";
+  std::string json = "{\"format\":1,\"space\":\"" + std::string(name(palette.space)) +
+                     "\",\"y\":\"up\",\"materials\":" + materials_to_json(palette.materials) + ",\"palette\":[";
   char number[32];
   for (std::size_t i = 0; i < palette.normals.size(); i++)
     for (float v : {palette.normals[i].x, palette.normals[i].y, palette.normals[i].z}) {
-      const auto end = std::to_chars(number, number + sizeof number, v, std::chars_format::general, 9);  // 9 digits: exact
+      const auto end =
+          std::to_chars(number, number + sizeof number, v, std::chars_format::general, 9);  // 9 digits: exact
       if (json.back() != '[') json += ',';
       json.append(number, end.ptr);
     }
@@ -49,7 +50,8 @@ Palette palette_from_metadata(const std::string& text, const FileRef& file) {
       throw file_error(ErrorKind::kUnsupported, file.name, "expected format 1, got " + std::to_string(format));
     palette.space = space_from_name(json.value("space", "tangent"), file.name);
     const std::vector<double> flat = json.at("palette").get<std::vector<double>>();
-    if (flat.size() % 3 != 0) throw file_error(ErrorKind::kMalformed, file.name, "expected three numbers a palette entry");
+    if (flat.size() % 3 != 0)
+      throw file_error(ErrorKind::kMalformed, file.name, "expected three numbers a palette entry");
     for (std::size_t i = 0; i < flat.size(); i += 3)
       palette.normals.push_back({float(flat[i]), float(flat[i + 1]), float(flat[i + 2])});
     palette.materials = materials_from_json(json.at("materials").dump(), file.name);
@@ -97,7 +99,9 @@ struct Writer {
   std::string name;
 
   explicit Writer(const FileRef& to)
-      : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_error, on_warning)), file(to.path), name(to.name) {
+      : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_error, on_warning)),
+        file(to.path),
+        name(to.name) {
     info = png_create_info_struct(png);
     png_set_write_fn(
         png, this,
@@ -195,7 +199,8 @@ void write_indexed_png(const FileRef& file, const IndexedMap& map) {
     const std::vector<Vec3f>& normals = map.palette.normals;
     const bool small = normals.size() <= 256;
     Writer out(file);
-    out.header(map.width(), map.height(), small ? 8 : 16, small ? PNG_COLOR_TYPE_PALETTE : PNG_COLOR_TYPE_GRAY, map.palette);
+    out.header(map.width(), map.height(), small ? 8 : 16, small ? PNG_COLOR_TYPE_PALETTE : PNG_COLOR_TYPE_GRAY,
+               map.palette);
     if (small) {
       std::vector<png_color> colours;
       for (const Vec3f& n : normals) colours.push_back({to_byte(n.x), to_byte(n.y), to_byte(n.z)});

@@ -12,8 +12,8 @@ class KeyTable {
 
   std::size_t size() const { return size_; }
 
-  // Room for so many keys. To be called before another table's keys are taken over: for_each gives them in the order of their hashes,
-  // which crowds the front of a smaller table until it grows.
+  // Room for so many keys. To be called before another table's keys are taken over: for_each gives them in the order of
+  // their hashes, which crowds the front of a smaller table until it grows.
   void reserve(std::size_t keys) {
     while (2 * keys >= slots_.size()) grow();
   }

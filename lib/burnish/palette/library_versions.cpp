@@ -14,7 +14,8 @@ std::string palette_library_versions() {
   std::string text = "OpenEXR " OPENEXR_VERSION_STRING ", libpng " + std::string(png_get_libpng_ver(nullptr));
 #ifdef BURNISH_WITH_IMAGEQUANT
   const int v = liq_version();
-  text += ", libimagequant " + std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." + std::to_string(v % 100);
+  text += ", libimagequant " + std::to_string(v / 10000) + "." + std::to_string(v / 100 % 100) + "." +
+          std::to_string(v % 100);
 #endif
   return text;
 }

@@ -8,16 +8,14 @@
 namespace burnish {
 namespace {
 
-// Gives every point its nearest centre, exactly. A centre nearer than c to a point at distance d of c is within 2d of c (the
-// triangle inequality), so a cell's points need to see only the centres within twice its radius; where neither its own centre nor
-// any of those has moved since the last time, nothing can have changed.
+// Gives every point its nearest centre, exactly. A centre nearer than c to a point at distance d of c is within 2d of c
+// (the triangle inequality), so a cell's points need to see only the centres within twice its radius; where neither its
+// own centre nor any of those has moved since the last time, nothing can have changed.
 void assign(Cells& cells) {
   const std::vector<WeightedNormal>& points = cells.tree.points();
   const std::vector<Vec3f>& centres = cells.centres;
-  if (cells.centre_tree)
-    cells.centre_tree->refit(centres);
-  else
-    cells.centre_tree.emplace(centres);
+  if (cells.centre_tree) cells.centre_tree->refit(centres);
+  else cells.centre_tree.emplace(centres);
   const CentreTree& all = *cells.centre_tree;
   const auto from_scratch = [&](int i) {
     float best2 = 8;
@@ -99,7 +97,8 @@ void centre_up(Cells& cells, double beyond) {
     Vec3d centroid = cells.sum[k] / l;
     const Vec3d step = centroid - Vec3d(cells.centres[k]);
     const double mean_error2 = std::max(0.0, 2 * (1 - l / cells.weight[k]));
-    if (beyond > 0 && !cells.settled[k] && dot(step, step) < 0.25 * mean_error2) centroid = normalized(centroid + step * beyond);
+    if (beyond > 0 && !cells.settled[k] && dot(step, step) < 0.25 * mean_error2)
+      centroid = normalized(centroid + step * beyond);
     cells.centres[k] = Vec3f(centroid);
   }
 }

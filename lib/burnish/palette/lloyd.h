@@ -1,6 +1,7 @@
 // Lloyd iterations on the sphere: every point to its nearest centre, every centre to the centroid of its points.
 //
-// The error of a cell about its centroid S/‖S‖, S the weighted sum of its unit points and W their weight, is 2(W − ‖S‖).
+// The error of a cell about its centroid S/‖S‖, S the weighted sum of its unit points and W their weight, is 2(W −
+// ‖S‖).
 #pragma once
 
 #include <algorithm>
@@ -19,8 +20,8 @@ struct Cells {
   std::vector<int> of;  // parallel to tree.points()
   std::vector<Vec3d> sum;
   std::vector<double> weight;
-  std::vector<char> settled;  // whose points have not changed in the last iteration
-  std::vector<Vec3f> seen;  // the centres as they were when `of` was found
+  std::vector<char> settled;              // whose points have not changed in the last iteration
+  std::vector<Vec3f> seen;                // the centres as they were when `of` was found
   std::optional<CentreTree> centre_tree;  // over the centres; none after they have been replaced
 
   Cells(const std::vector<WeightedNormal>& points, int leaf) : tree(points, leaf), of(points.size()) {}
@@ -39,8 +40,9 @@ struct Members {
   explicit Members(const Cells& cells);
 };
 
-// One iteration over all groups; the error of the cells about their centroids. Centres go `beyond` as far again as to their centroids:
-// Lloyd steps come out too short, and longer ones converge in fewer. Deterministic, whatever the threads.
+// One iteration over all groups; the error of the cells about their centroids. Centres go `beyond` as far again as to
+// their centroids: Lloyd steps come out too short, and longer ones converge in fewer. Deterministic, whatever the
+// threads.
 double lloyd(std::vector<Cells>& groups, double beyond = 0.7);
 
 // Iterations until one gains less than that part of the error; the last error.

@@ -9,7 +9,9 @@ namespace {
 struct Box {
   int begin, end;
   double texels;
-  friend bool operator<(const Box& a, const Box& b) { return a.texels != b.texels ? a.texels < b.texels : a.begin > b.begin; }
+  friend bool operator<(const Box& a, const Box& b) {
+    return a.texels != b.texels ? a.texels < b.texels : a.begin > b.begin;
+  }
 };
 
 float component(Vec3f v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
@@ -36,10 +38,11 @@ std::vector<Vec3f> fit_median_cut(const std::vector<WeightedNormal>& points, int
     int axis = 0;
     float longest = -1;
     for (int a = 0; a < 3; a++) {
-      const auto [lo, hi] = std::minmax_element(p.begin() + b.begin, p.begin() + b.end, [&](const auto& s, const auto& t) {
-        return component(s.normal, a) < component(t.normal, a);
-      });
-      if (const float side = component(hi->normal, a) - component(lo->normal, a); side > longest) longest = side, axis = a;
+      const auto [lo, hi] = std::minmax_element(
+          p.begin() + b.begin, p.begin() + b.end,
+          [&](const auto& s, const auto& t) { return component(s.normal, a) < component(t.normal, a); });
+      if (const float side = component(hi->normal, a) - component(lo->normal, a); side > longest)
+        longest = side, axis = a;
     }
     std::stable_sort(p.begin() + b.begin, p.begin() + b.end, [&](const auto& s, const auto& t) {
       return component(s.normal, axis) < component(t.normal, axis);

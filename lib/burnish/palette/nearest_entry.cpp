@@ -34,7 +34,9 @@ Vec3f unproject(int face, float u, float v) {
   return {u, v, s};
 }
 
-std::uint32_t cell(float t) { return std::uint32_t(std::clamp((t + 1.f) * float(1 << (kMaxDepth - 1)), 0.f, float((1 << kMaxDepth) - 1))); }
+std::uint32_t cell(float t) {
+  return std::uint32_t(std::clamp((t + 1.f) * float(1 << (kMaxDepth - 1)), 0.f, float((1 << kMaxDepth) - 1)));
+}
 
 }  // namespace
 
@@ -54,8 +56,8 @@ NearestEntry::NearestEntry(std::span<const Vec3f> entries) : entries_(entries.be
   });
 }
 
-void NearestEntry::build(FaceTree& tree, int face, std::uint32_t node, const std::vector<std::uint16_t>& candidates, int depth,
-                         std::uint32_t column, std::uint32_t row) const {
+void NearestEntry::build(FaceTree& tree, int face, std::uint32_t node, const std::vector<std::uint16_t>& candidates,
+                         int depth, std::uint32_t column, std::uint32_t row) const {
   const float side = 2.f / float(1u << depth);
   const Vec3f corner = unproject(face, -1.f + (float(column) + 0.5f) * side, -1.f + (float(row) + 0.5f) * side);
   const float distance = length(corner);
@@ -78,7 +80,8 @@ void NearestEntry::build(FaceTree& tree, int face, std::uint32_t node, const std
     if (reach || behind <= 1e-6f) kept.push_back(c);
   }
 
-  // Far from every entry nobody asks, and there a cell may keep many however small it is: all of them round the pole of a circle.
+  // Far from every entry nobody asks, and there a cell may keep many however small it is: all of them round the pole of
+  // a circle.
   const bool near = radius * kFarthest > std::sqrt(std::max(0.f, 2 - 2 * best));
   const bool divide = depth < kTopDepth || (within_reach > kLeaf && depth < kMaxDepth && near);
   if (depth == kTopDepth) tree.top[(row << kTopDepth) | column] = node;

@@ -1,9 +1,10 @@
 // The palette entry nearest to a direction, exactly, in time that hardly grows with the palette.
 //
-// The faces of a cube are cut into quadtrees. A cell keeps the entries that can be nearest to some direction inside it: with z* the
-// entry nearest to the cell's centre g and ρ the radius of a ball round the cell, entry z is out where it is farther than z* on the
-// whole ball, g·(z − z*) + ρ‖z − z*‖ < 0 (the filter of Kanungo et al., "An efficient k-means clustering algorithm", PAMI 2002). A
-// cell is divided while it keeps more than a handful. A query walks to its leaf and compares dot products.
+// The faces of a cube are cut into quadtrees. A cell keeps the entries that can be nearest to some direction inside it:
+// with z* the entry nearest to the cell's centre g and ρ the radius of a ball round the cell, entry z is out where it
+// is farther than z* on the whole ball, g·(z − z*) + ρ‖z − z*‖ < 0 (the filter of Kanungo et al., "An efficient k-means
+// clustering algorithm", PAMI 2002). A cell is divided while it keeps more than a handful. A query walks to its leaf
+// and compares dot products.
 #pragma once
 
 #include <cstdint>

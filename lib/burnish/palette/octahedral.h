@@ -1,4 +1,5 @@
-// The octahedral map: unit vectors to the square [−1,1]² and back (Meyer et al., "On floating-point normal vectors", 2010).
+// The octahedral map: unit vectors to the square [−1,1]² and back (Meyer et al., "On floating-point normal vectors",
+// 2010).
 #pragma once
 
 #include <cmath>

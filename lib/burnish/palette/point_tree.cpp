@@ -9,7 +9,8 @@
 namespace burnish {
 namespace {
 
-// Direction of largest variance of the points about their mean, by power iteration; any unit vector where they coincide.
+// Direction of largest variance of the points about their mean, by power iteration; any unit vector where they
+// coincide.
 Vec3d principal_axis(std::span<const WeightedNormal> range, Vec3d mean) {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
   for (const WeightedNormal& p : range) {
@@ -44,7 +45,8 @@ Sum sum_of(std::span<const WeightedNormal> range) {
 
 }  // namespace
 
-// The squared chords from unit points to the centroid S/|S| sum up to 2(W − |S|): the cut that leaves least has most |S₁| + |S₂|.
+// The squared chords from unit points to the centroid S/|S| sum up to 2(W − |S|): the cut that leaves least has most
+// |S₁| + |S₂|.
 int cut_in_two(std::span<WeightedNormal> range, double* saved) {
   const int n = int(range.size());
   const Sum all = sum_of(range);
@@ -80,7 +82,9 @@ int cut_in_two(std::span<WeightedNormal> range, double* saved) {
   constexpr int kBins = 256;
   Sum bins[kBins];
   const float scale = float(kBins) / (hi - lo);
-  const auto bin_of = [&](const WeightedNormal& p) { return std::min(kBins - 1, int((dot(p.normal, axis) - lo) * scale)); };
+  const auto bin_of = [&](const WeightedNormal& p) {
+    return std::min(kBins - 1, int((dot(p.normal, axis) - lo) * scale));
+  };
   for (const WeightedNormal& p : range) bins[bin_of(p)].add(p);
   Sum low;
   double best = 0;
@@ -92,7 +96,8 @@ int cut_in_two(std::span<WeightedNormal> range, double* saved) {
     if (score > best) best = score, last_low = b;
   }
   *saved = std::max(0.0, 2 * (best - whole));
-  const auto high = std::stable_partition(range.begin(), range.end(), [&](const WeightedNormal& p) { return bin_of(p) <= last_low; });
+  const auto high =
+      std::stable_partition(range.begin(), range.end(), [&](const WeightedNormal& p) { return bin_of(p) <= last_low; });
   return std::clamp(int(high - range.begin()), 1, n - 1);
 }
 
@@ -113,15 +118,15 @@ struct PointTree::Builder {
       const Vec3f d = p.normal - centre;
       farthest = std::max(farthest, dot(d, d));
     }
-    node = {begin, end, -1, -1, {centre.x, centre.y, centre.z}, std::sqrt(farthest), {s.sum.x, s.sum.y, s.sum.z}, s.weight};
+    node = {begin,   end, -1, -1, {centre.x, centre.y, centre.z}, std::sqrt(farthest), {s.sum.x, s.sum.y, s.sum.z},
+            s.weight};
     if (end - begin <= leaf) return at;
     double saved;
     const int cut = begin + cut_in_two(range, &saved);
     constexpr int kTask = 4096;
     if (end - begin > kTask)
       parallel_invoke([&] { node.left = build(begin, cut); }, [&] { node.right = build(cut, end); });
-    else
-      node.left = build(begin, cut), node.right = build(cut, end);
+    else node.left = build(begin, cut), node.right = build(cut, end);
     return at;
   }
 };

@@ -20,12 +20,12 @@ struct WeightedNormal {
 class PointTree {
  public:
   struct Node {
-    int begin, end;      // of points()
-    int left, right;     // −1 in a leaf
-    float centre[3];     // unit
-    float radius;        // chord from the centre to the farthest point
-    double sum[3];       // Σ weight·normal
-    double weight;       // Σ weight
+    int begin, end;   // of points()
+    int left, right;  // −1 in a leaf
+    float centre[3];  // unit
+    float radius;     // chord from the centre to the farthest point
+    double sum[3];    // Σ weight·normal
+    double weight;    // Σ weight
   };
 
   // Divides at the cut along the axis of largest variance that leaves the least variance, down to `leaf` points.
@@ -40,8 +40,9 @@ class PointTree {
   std::unique_ptr<Node[]> nodes_;
 };
 
-// Where to cut a range of points in two: reorders them so that [begin, cut) and [cut, end) are the parts; the error saved by two
-// centroids instead of one is added in `saved` (squared chord). A range of equal points is cut anywhere and saves 0.
+// Where to cut a range of points in two: reorders them so that [begin, cut) and [cut, end) are the parts; the error
+// saved by two centroids instead of one is added in `saved` (squared chord). A range of equal points is cut anywhere
+// and saves 0.
 int cut_in_two(std::span<WeightedNormal> range, double* saved);
 
 }  // namespace burnish

@@ -45,7 +45,8 @@ Groups fit(const Histogram& histogram, Engine engine, int n, const Progress& pro
   } else {
     const std::vector<int> share = share_entries(points, n);
     for (std::size_t g = 0; g < points.size(); g++)
-      groups.push_back(engine == Engine::kMedianCut ? fit_median_cut(points[g], share[g]) : fit_imagequant(points[g], share[g]));
+      groups.push_back(engine == Engine::kMedianCut ? fit_median_cut(points[g], share[g])
+                                                    : fit_imagequant(points[g], share[g]));
   }
   for (std::vector<Vec3f>& entries : groups)
     std::ranges::sort(entries, {}, [](Vec3f v) { return std::tuple(curve_position(v), v.x, v.y, v.z); });
@@ -70,7 +71,8 @@ std::vector<EntryRange> entry_ranges(const Palette& palette, const std::vector<i
     if (m == palette.materials.end()) {
       std::string has;
       for (const MaterialInterval& i : palette.materials) has += (has.empty() ? "" : ", ") + std::to_string(i.id);
-      throw file_error(ErrorKind::kMalformed, name, "expected entries for material " + std::to_string(id) + ", got " + has);
+      throw file_error(ErrorKind::kMalformed, name,
+                       "expected entries for material " + std::to_string(id) + ", got " + has);
     }
     ranges.push_back({m->first, NearestEntry(std::span(palette.normals).subspan(m->first, m->count))});
   }
@@ -95,8 +97,9 @@ AngleStats nearest_angles(const Histogram& histogram, const Palette& palette, co
   return total;
 }
 
-// The smallest palette that meets the target, between one that fails and the next, which does not. Errors fall with the root
-// of the size, so a measured palette foretells where to look next; where that narrows too little, the middle is taken.
+// The smallest palette that meets the target, between one that fails and the next, which does not. Errors fall with the
+// root of the size, so a measured palette foretells where to look next; where that narrows too little, the middle is
+// taken.
 Palette fit_to_target(const Histogram& histogram, const QuantizeOptions& o, const Progress& progress) {
   const int most = o.engine == Engine::kImagequant ? kImagequantMost : kMaxPaletteSize;
   const int least = std::max<int>(1, int(histogram.groups.size()));
@@ -119,9 +122,9 @@ Palette fit_to_target(const Histogram& histogram, const QuantizeOptions& o, cons
   int fails = least - 1;
   while (good.rms_deg > *o.target_error_deg) {
     if (good.size >= most)
-      throw Error(ErrorKind::kThreshold, "target error: expected an RMS angle of at most " + std::to_string(*o.target_error_deg) +
-                                             " degrees, got " + std::to_string(good.rms_deg) + " with " + std::to_string(most) +
-                                             " normals");
+      throw Error(ErrorKind::kThreshold,
+                  "target error: expected an RMS angle of at most " + std::to_string(*o.target_error_deg) +
+                      " degrees, got " + std::to_string(good.rms_deg) + " with " + std::to_string(most) + " normals");
     fails = good.size;
     good = measure(std::clamp(int(foretold(good) * 1.02) + 1, fails + 1, most));
   }
@@ -132,10 +135,8 @@ Palette fit_to_target(const Histogram& histogram, const QuantizeOptions& o, cons
     const int n = halve ? fails + interval / 2 : std::clamp(int(guess), fails + 1, good.size - 1);
     Measured m = measure(n);
     guess = foretold(m);
-    if (m.rms_deg > *o.target_error_deg)
-      fails = n;
-    else
-      good = std::move(m);
+    if (m.rms_deg > *o.target_error_deg) fails = n;
+    else good = std::move(m);
     halve = !halve && (good.size - fails) * 2 > interval;
     report_progress(progress, 1 - double(good.size - fails) / interval_at_first);
   }
@@ -147,7 +148,12 @@ class Mapper {
  public:
   Mapper(TexelKeys& texels, const TexelClasses& classes, const Histogram& histogram, const Palette& palette,
          const std::vector<EntryRange>& ranges, const QuantizeOptions& options)
-      : texels_(texels), classes_(classes), histogram_(histogram), palette_(palette), ranges_(ranges), options_(options) {
+      : texels_(texels),
+        classes_(classes),
+        histogram_(histogram),
+        palette_(palette),
+        ranges_(ranges),
+        options_(options) {
     group_.assign(256, 0);
     for (std::size_t g = 0; g < histogram.material.size(); g++) group_[histogram.material[g]] = std::uint16_t(g);
   }
@@ -172,7 +178,9 @@ class Mapper {
       } else {
         const Texels band = decode(y0, rows, keys.data());
         switch (options_.dither) {
-          case Dither::kDiffusion: diffuse(diffusion, band, index); break;
+          case Dither::kDiffusion:
+            diffuse(diffusion, band, index);
+            break;
           case Dither::kBlueNoise:
             parallel_for_chunks(rows, kDotBandRows, [&](std::size_t begin, std::size_t end, std::size_t) {
               diffuse_dots(palette_.normals, range_of_region, w, int(end - begin), band.normals.data() + begin * w,
@@ -283,12 +291,14 @@ QuantizeResult quantize_normal_map(const FileRef& file, const QuantizeOptions& o
   const Histogram histogram = count_normals(texels, classes, part_of(progress, 0, 0.3));
 
   QuantizeResult result;
-  result.map.palette = given                      ? std::move(*given)
-                       : options.target_error_deg ? fit_to_target(histogram, options, part_of(progress, 0.3, 0.8))
-                                                  : to_palette(fit(histogram, options.engine, options.normals, part_of(progress, 0.3, 0.8)),
-                                                               histogram.material, options.space);
+  result.map.palette = given ? std::move(*given)
+                       : options.target_error_deg
+                           ? fit_to_target(histogram, options, part_of(progress, 0.3, 0.8))
+                           : to_palette(fit(histogram, options.engine, options.normals, part_of(progress, 0.3, 0.8)),
+                                        histogram.material, options.space);
   const Palette& palette = result.map.palette;
-  const std::vector<EntryRange> ranges = entry_ranges(palette, histogram.material, given ? options.palette.name : texels.name());
+  const std::vector<EntryRange> ranges =
+      entry_ranges(palette, histogram.material, given ? options.palette.name : texels.name());
   result.map.levels.emplace_back(texels.width(), texels.height());
   const AngleStats angles =
       Mapper(texels, classes, histogram, palette, ranges, options).run(result.map.levels[0], part_of(progress, 0.8, 1));
@@ -298,7 +308,8 @@ QuantizeResult quantize_normal_map(const FileRef& file, const QuantizeOptions& o
   s.normals = int(palette.normals.size());
   s.distinct_input_normals = histogram.distinct;
   s.invalid_texels = histogram.invalid_texels;
-  s.rms_deg = angles.rms_deg(), s.mean_deg = angles.mean_deg(), s.p95_deg = angles.p95_deg(), s.max_deg = angles.max_deg();
+  s.rms_deg = angles.rms_deg(), s.mean_deg = angles.mean_deg(), s.p95_deg = angles.p95_deg(),
+  s.max_deg = angles.max_deg();
   s.lossless = histogram.exact && s.max_deg == 0;
   return result;
 }

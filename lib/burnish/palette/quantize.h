@@ -1,7 +1,7 @@
 // Normal map, and materials, to an indexed normal map (Tarini et al., sections 4 and 6).
 //
-// A histogram of the distinct (material, normal) pairs, a palette fitted to it, entries in order of material and along a curve, then
-// each texel's nearest entry of its own material, dithered or not. Deterministic, whatever the threads.
+// A histogram of the distinct (material, normal) pairs, a palette fitted to it, entries in order of material and along
+// a curve, then each texel's nearest entry of its own material, dithered or not. Deterministic, whatever the threads.
 #pragma once
 
 #include <optional>
@@ -30,8 +30,8 @@ struct QuantizeOptions {
 };
 
 struct QuantizeStats {
-  std::size_t texels = 0;  // that count
-  int normals = 0;         // palette size
+  std::size_t texels = 0;                  // that count
+  int normals = 0;                         // palette size
   std::size_t distinct_input_normals = 0;  // (material, normal) pairs; of a map with too many, bins of them
   std::size_t invalid_texels = 0;          // vectors without a direction, taken as (0,0,1)
   double rms_deg = 0, mean_deg = 0, p95_deg = 0, max_deg = 0;
@@ -43,8 +43,9 @@ struct QuantizeResult {
   QuantizeStats stats;
 };
 
-// Errors: kUsage for options out of range; kMalformed for NaN, sizes that differ, materials a given palette lacks, fewer normals
-// than materials; kUnsupported for more than an engine holds; kThreshold where 65536 normals miss the target error.
+// Errors: kUsage for options out of range; kMalformed for NaN, sizes that differ, materials a given palette lacks,
+// fewer normals than materials; kUnsupported for more than an engine holds; kThreshold where 65536 normals miss the
+// target error.
 QuantizeResult quantize_normal_map(const FileRef& file, const QuantizeOptions& options, const Progress& progress = {});
 
 }  // namespace burnish

@@ -72,8 +72,7 @@ std::vector<Split> split_gains(const std::vector<Cells>& groups, std::size_t mos
         (p < cut ? low : high) += Vec3d(points[p].normal) * double(points[p].weight);
       if (length(low) > 0 && length(high) > 0)
         splits[i].low = Vec3f(normalized(low)), splits[i].high = Vec3f(normalized(high));
-      else
-        splits[i].move.value = 0;
+      else splits[i].move.value = 0;
     }
   });
   std::ranges::stable_sort(splits, std::greater{}, [](const Split& s) { return s.move.value; });

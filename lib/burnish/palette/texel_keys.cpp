@@ -27,11 +27,11 @@ float half_value(std::uint16_t bits) {
 TexelKeys::TexelKeys(const FileRef& file, const NormalCoding& coding) : reader_(file, coding) {
   const ImageReader& image = reader_.image();
   const bool exact = image.has_exact_samples();
-  packing_ = !exact                                          ? Packing::kOctahedral
-             : image.sample_type() == SampleType::kUint8     ? Packing::kBytes
-             : image.sample_type() == SampleType::kUint16    ? Packing::kWords
-             : image.sample_type() == SampleType::kHalf      ? Packing::kHalves
-                                                             : Packing::kOctahedral;
+  packing_ = !exact                                       ? Packing::kOctahedral
+             : image.sample_type() == SampleType::kUint8  ? Packing::kBytes
+             : image.sample_type() == SampleType::kUint16 ? Packing::kWords
+             : image.sample_type() == SampleType::kHalf   ? Packing::kHalves
+                                                          : Packing::kOctahedral;
   const std::size_t sample = packing_ == Packing::kBytes ? 1 : packing_ == Packing::kOctahedral ? 4 : 2;
   row_bytes_ = sample * image.channels() * image.width();
   if (row_bytes_ * height() <= kKeepBytes) whole_.resize(row_bytes_ * height());
@@ -39,10 +39,8 @@ TexelKeys::TexelKeys(const FileRef& file, const NormalCoding& coding) : reader_(
 
 void TexelKeys::read_rows(int first, int count, std::uint64_t* keys) {
   const auto load = [&](int from, int rows, std::byte* to) {
-    if (packing_ == Packing::kOctahedral)
-      reader_.image().read_rows(from, rows, reinterpret_cast<float*>(to));
-    else
-      reader_.image().read_rows_stored(from, rows, to);
+    if (packing_ == Packing::kOctahedral) reader_.image().read_rows(from, rows, reinterpret_cast<float*>(to));
+    else reader_.image().read_rows_stored(from, rows, to);
   };
   std::vector<std::byte> band;
   const std::byte* samples;
@@ -63,11 +61,11 @@ void TexelKeys::read_rows(int first, int count, std::uint64_t* keys) {
       pack(samples + row * row_bytes_, width(), keys + row * width(), first + int(row));
     } catch (const Error&) {  // of several, the first row is named, whatever the threads
       int least = broken_row;
-      while (first + int(row) < least && !broken_row.compare_exchange_weak(least, first + int(row))) {}
+      while (first + int(row) < least && !broken_row.compare_exchange_weak(least, first + int(row))) {
+      }
     }
   });
-  if (broken_row < height())
-    pack(samples + std::size_t(broken_row - first) * row_bytes_, width(), keys, broken_row);
+  if (broken_row < height()) pack(samples + std::size_t(broken_row - first) * row_bytes_, width(), keys, broken_row);
 }
 
 void TexelKeys::pack(const std::byte* samples, std::size_t texels, std::uint64_t* keys, int row) const {
@@ -83,8 +81,10 @@ void TexelKeys::pack(const std::byte* samples, std::size_t texels, std::uint64_t
                          std::to_string(row));
   };
   switch (packing_) {
-    case Packing::kBytes: return stored(reinterpret_cast<const std::uint8_t*>(samples));
-    case Packing::kWords: return stored(reinterpret_cast<const std::uint16_t*>(samples));
+    case Packing::kBytes:
+      return stored(reinterpret_cast<const std::uint8_t*>(samples));
+    case Packing::kWords:
+      return stored(reinterpret_cast<const std::uint16_t*>(samples));
     case Packing::kHalves:
       stored(reinterpret_cast<const std::uint16_t*>(samples));
       for (std::size_t i = 0; i < texels; i++)
@@ -108,9 +108,12 @@ void TexelKeys::pack(const std::byte* samples, std::size_t texels, std::uint64_t
 Vec3f TexelKeys::decode(std::uint64_t key, bool& invalid) const {
   const std::uint16_t x = std::uint16_t(key >> 32), y = std::uint16_t(key >> 16), z = std::uint16_t(key);
   switch (packing_) {
-    case Packing::kBytes: return reader_.decode(x / 255.f, y / 255.f, z / 255.f, invalid);
-    case Packing::kWords: return reader_.decode(x / 65535.f, y / 65535.f, z / 65535.f, invalid);
-    case Packing::kHalves: return reader_.decode(half_value(x), half_value(y), half_value(z), invalid);
+    case Packing::kBytes:
+      return reader_.decode(x / 255.f, y / 255.f, z / 255.f, invalid);
+    case Packing::kWords:
+      return reader_.decode(x / 65535.f, y / 65535.f, z / 65535.f, invalid);
+    case Packing::kHalves:
+      return reader_.decode(half_value(x), half_value(y), half_value(z), invalid);
     default:
       invalid = key == (std::uint64_t(1) << 48) - 1;
       return invalid ? Vec3f{0, 0, 1} : Vec3f(unpack_octahedral(key, kOctahedralBits));

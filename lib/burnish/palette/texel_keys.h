@@ -19,8 +19,8 @@ class TexelKeys {
   int height() const { return reader_.height(); }
   const std::string& name() const { return reader_.name(); }
 
-  // Keys of rows [first, first + count), each below 2^48. A map of moderate size is kept in memory as it is stored, a larger
-  // one is read again. kMalformed for NaN or infinity.
+  // Keys of rows [first, first + count), each below 2^48. A map of moderate size is kept in memory as it is stored, a
+  // larger one is read again. kMalformed for NaN or infinity.
   void read_rows(int first, int count, std::uint64_t* keys);
 
   // The unit vector of a key; `invalid` where it was too short to have a direction.

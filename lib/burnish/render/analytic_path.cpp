@@ -10,8 +10,7 @@ class AnalyticPath final : public ShadingPath {
   Vec3d shade(std::size_t object, const SurfacePoint& point) const override {
     const Transform& transform = setup_.scene.objects[object].transform;
     const Vec3d position = transform.point_to_world(point.position);
-    const Vec3d n = transform.direction_to_world(normal(object, point)),
-                to_viewer = setup_.camera.to_viewer(position);
+    const Vec3d n = transform.direction_to_world(normal(object, point)), to_viewer = setup_.camera.to_viewer(position);
     return std::visit(
         [&](const auto& model) {
           Vec3d colour = setup_.scene.ambient * model.ambient;
@@ -36,8 +35,7 @@ class AnalyticPath final : public ShadingPath {
 
  private:
   TexelPosition texel(std::size_t object, const SurfacePoint& point, int width, int height) const {
-    return nearest_texel(point.u, point.v, width, height,
-                         addressing_of(setup_.scene.objects[object].surface));
+    return nearest_texel(point.u, point.v, width, height, addressing_of(setup_.scene.objects[object].surface));
   }
 
   Vec3d normal(std::size_t object, const SurfacePoint& point) const {

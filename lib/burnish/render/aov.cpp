@@ -16,9 +16,7 @@ void store(Vec3d v, float* out) { out[0] = float(v.x), out[1] = float(v.y), out[
 
 }  // namespace
 
-const char* name(Aov aov) {
-  return std::ranges::find(kNames, aov, &std::pair<Aov, const char*>::first)->second;
-}
+const char* name(Aov aov) { return std::ranges::find(kNames, aov, &std::pair<Aov, const char*>::first)->second; }
 
 std::vector<Aov> parse_aovs(const std::string& list) {
   std::vector<Aov> out;
@@ -27,9 +25,9 @@ std::vector<Aov> parse_aovs(const std::string& list) {
     const std::string word = list.substr(begin, end - begin);
     const auto found = std::ranges::find_if(kNames, [&](const auto& entry) { return word == entry.second; });
     if (found == std::end(kNames))
-      throw Error(ErrorKind::kUsage,
-                  "--aov: expected names out of normal, position, uv, depth, index, material, level, got '" +
-                      word + "'");
+      throw Error(
+          ErrorKind::kUsage,
+          "--aov: expected names out of normal, position, uv, depth, index, material, level, got '" + word + "'");
     if (std::ranges::find(out, found->first) != out.end())
       throw Error(ErrorKind::kUsage, "--aov: '" + word + "' is named twice");
     out.push_back(found->first);
@@ -40,8 +38,8 @@ std::vector<Aov> parse_aovs(const std::string& list) {
 
 int channel_count(Aov aov) { return aov == Aov::kNormal || aov == Aov::kPosition || aov == Aov::kUv ? 3 : 1; }
 
-void write_aov(Aov aov, const FrameSetup& setup, const ShadingPath& path, std::size_t object,
-               const SurfacePoint* point, float* out) {
+void write_aov(Aov aov, const FrameSetup& setup, const ShadingPath& path, std::size_t object, const SurfacePoint* point,
+               float* out) {
   if (!point) return void(std::fill_n(out, channel_count(aov), channel_count(aov) == 3 ? 0.f : -1.f));
   const Transform& transform = setup.scene.objects[object].transform;
   switch (aov) {

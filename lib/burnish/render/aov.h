@@ -26,7 +26,7 @@ std::vector<Aov> parse_aovs(const std::string& list);
 int channel_count(Aov aov);
 // The values of a pixel that shows `point` of an object, or of one that shows none (null); `out` takes
 // channel_count().
-void write_aov(Aov aov, const FrameSetup& setup, const ShadingPath& path, std::size_t object,
-               const SurfacePoint* point, float* out);
+void write_aov(Aov aov, const FrameSetup& setup, const ShadingPath& path, std::size_t object, const SurfacePoint* point,
+               float* out);
 
 }  // namespace burnish

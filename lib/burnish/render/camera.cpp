@@ -23,8 +23,6 @@ Ray Camera::ray(double x_px, double y_px) const {
   return {position_ + offset, forward_, step_x_, step_y_, {}, {}};
 }
 
-Vec3d Camera::to_viewer(Vec3d point) const {
-  return perspective_ ? normalized(position_ - point) : -forward_;
-}
+Vec3d Camera::to_viewer(Vec3d point) const { return perspective_ ? normalized(position_ - point) : -forward_; }
 
 }  // namespace burnish

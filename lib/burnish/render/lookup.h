@@ -39,8 +39,7 @@ inline BilinearTaps bilinear_taps(double u, double v, int width, int height, Add
   const double x = u * width - 0.5, y = (1 - v) * height - 0.5;
   const double x0 = std::floor(x), y0 = std::floor(y), fx = x - x0, fy = y - y0;
   const int left = wrapped(x0, width, true), right = wrapped(x0 + 1, width, true);
-  const int top = wrapped(y0, height, addressing.repeat_v),
-            bottom = wrapped(y0 + 1, height, addressing.repeat_v);
+  const int top = wrapped(y0, height, addressing.repeat_v), bottom = wrapped(y0 + 1, height, addressing.repeat_v);
   return {{{left, top}, {right, top}, {left, bottom}, {right, bottom}},
           {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy}};
 }

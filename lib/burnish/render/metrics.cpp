@@ -21,12 +21,11 @@ ErrorMetrics compare(const Image& a, const Image& b, const ByteImage& counts) {
   }
   m.psnr_db = std::numeric_limits<double>::infinity();
   if (differences.empty()) return m;
-  const double sum =
-      parallel_sum<double>(differences.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        double s = 0;
-        for (std::size_t i = begin; i < end; i++) s += differences[i] * differences[i];
-        return s;
-      });
+  const double sum = parallel_sum<double>(differences.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    double s = 0;
+    for (std::size_t i = begin; i < end; i++) s += differences[i] * differences[i];
+    return s;
+  });
   m.rmse = std::sqrt(sum / double(differences.size()));
   if (m.rmse > 0) m.psnr_db = 20 * std::log10(kPeak / m.rmse);
   m.max_abs = *std::ranges::max_element(differences);

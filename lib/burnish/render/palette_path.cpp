@@ -9,18 +9,15 @@ namespace {
 
 void require_shadable(const Scene& scene, const Object& object, const ObjectAssets& assets) {
   if (!assets.indexed)
-    throw file_error(
-        ErrorKind::kMalformed, scene.name,
-        "path 'palette' needs an 'indexed_map', and the object with '" + object.normal_map + "' has none");
+    throw file_error(ErrorKind::kMalformed, scene.name,
+                     "path 'palette' needs an 'indexed_map', and the object with '" + object.normal_map + "' has none");
   if (assets.space == NormalSpace::kTangent && !object.surface.is_flat())
     throw file_error(
         ErrorKind::kMalformed, object.indexed_map,
-        std::string(
-            "a tangent-space palette can be shaded on a flat surface only, where its frame is the same "
-            "everywhere; a ") +
+        std::string("a tangent-space palette can be shaded on a flat surface only, where its frame is the same "
+                    "everywhere; a ") +
             name(object.surface.type) + " needs normals in object space");
-  if (object.mip != MipMode::kOff && assets.indexed->levels.size() == 1 &&
-      assets.indexed->levels[0].texels() > 1)
+  if (object.mip != MipMode::kOff && assets.indexed->levels.size() == 1 && assets.indexed->levels[0].texels() > 1)
     throw file_error(ErrorKind::kMalformed, object.indexed_map,
                      "expected a chain of mip levels, as 'mip' asks for, got one level");
 }
@@ -37,8 +34,7 @@ class PalettePath final : public ShadingPath {
 
   Vec3d shade(std::size_t object, const SurfacePoint& point) const override {
     const double lambda = this->lambda(object, point);
-    if (setup_.scene.objects[object].mip != MipMode::kLinear)
-      return colour(object, point, nearest_level(lambda));
+    if (setup_.scene.objects[object].mip != MipMode::kLinear) return colour(object, point, nearest_level(lambda));
     const int finer = int(lambda);
     const double share = lambda - finer;
     if (share == 0) return colour(object, point, finer);
@@ -72,13 +68,10 @@ class PalettePath final : public ShadingPath {
     }
     const Vec3d to_viewer = transform.direction_to_object(setup_.camera.to_viewer(transform.translation));
     const ObjectAssets& assets = setup_.assets[object];
-    return shade_palette(assets.indexed->palette, assets.interval_materials, setup_.scene.ambient, lights,
-                         to_viewer);
+    return shade_palette(assets.indexed->palette, assets.interval_materials, setup_.scene.ambient, lights, to_viewer);
   }
 
-  Addressing addressing(std::size_t object) const {
-    return addressing_of(setup_.scene.objects[object].surface);
-  }
+  Addressing addressing(std::size_t object) const { return addressing_of(setup_.scene.objects[object].surface); }
 
   double lambda(std::size_t object, const SurfacePoint& point) const {
     if (setup_.scene.objects[object].mip == MipMode::kOff) return 0;
@@ -91,12 +84,10 @@ class PalettePath final : public ShadingPath {
     const IndexImage& indices = setup_.assets[object].indexed->levels[level];
     const std::vector<Vec3d>& table = tables_[object];
     if (setup_.scene.objects[object].filter == Filter::kNearest) {
-      const TexelPosition t =
-          nearest_texel(point.u, point.v, indices.width, indices.height, addressing(object));
+      const TexelPosition t = nearest_texel(point.u, point.v, indices.width, indices.height, addressing(object));
       return table[*indices.at(t.x, t.y)];
     }
-    const BilinearTaps taps =
-        bilinear_taps(point.u, point.v, indices.width, indices.height, addressing(object));
+    const BilinearTaps taps = bilinear_taps(point.u, point.v, indices.width, indices.height, addressing(object));
     Vec3d sum;
     for (int i = 0; i < 4; i++) sum += table[*indices.at(taps.texel[i].x, taps.texel[i].y)] * taps.weight[i];
     return sum;
@@ -109,8 +100,6 @@ class PalettePath final : public ShadingPath {
 
 }  // namespace
 
-std::unique_ptr<ShadingPath> make_palette_path(const FrameSetup& setup) {
-  return std::make_unique<PalettePath>(setup);
-}
+std::unique_ptr<ShadingPath> make_palette_path(const FrameSetup& setup) { return std::make_unique<PalettePath>(setup); }
 
 }  // namespace burnish

@@ -4,8 +4,8 @@
 
 namespace burnish {
 
-std::vector<Vec3d> shade_palette(const Palette& palette, std::span<const Material* const> materials,
-                                 Vec3d ambient, std::span<const Arriving> lights, Vec3d to_viewer) {
+std::vector<Vec3d> shade_palette(const Palette& palette, std::span<const Material* const> materials, Vec3d ambient,
+                                 std::span<const Arriving> lights, Vec3d to_viewer) {
   constexpr std::size_t kGrain = 1024;
   std::vector<Vec3d> colours(palette.normals.size());
   for (std::size_t m = 0; m < palette.materials.size(); m++) {

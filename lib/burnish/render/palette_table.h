@@ -18,7 +18,7 @@ namespace burnish {
 
 // `materials`: one an interval of the palette, none null. `to_viewer` and the lights' directions are unit
 // vectors. Runs in parallel; each entry depends on its own normal only.
-std::vector<Vec3d> shade_palette(const Palette& palette, std::span<const Material* const> materials,
-                                 Vec3d ambient, std::span<const Arriving> lights, Vec3d to_viewer);
+std::vector<Vec3d> shade_palette(const Palette& palette, std::span<const Material* const> materials, Vec3d ambient,
+                                 std::span<const Arriving> lights, Vec3d to_viewer);
 
 }  // namespace burnish

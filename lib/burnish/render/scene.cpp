@@ -36,8 +36,7 @@ ImageSettings image_settings(const TomlTable& t) {
 CameraSettings camera_settings(const TomlTable& t) {
   CameraSettings camera;
   camera.type = t.choice<CameraType>(
-      "type", {{"orthographic", CameraType::kOrthographic}, {"perspective", CameraType::kPerspective}},
-      camera.type);
+      "type", {{"orthographic", CameraType::kOrthographic}, {"perspective", CameraType::kPerspective}}, camera.type);
   camera.position = t.vector("position", kAnyNumber, camera.position);
   camera.look_at = t.vector("look_at", kAnyNumber, camera.look_at);
   camera.up = unit_vector(t, "up", camera.up);
@@ -45,16 +44,15 @@ CameraSettings camera_settings(const TomlTable& t) {
   else camera.fov_deg = t.number("fov_deg", kFovDeg, camera.fov_deg);
   const Vec3d view = camera.look_at - camera.position;
   if (!(length(view) > 0)) t.fail("look_at", "expected a point other than 'camera.position'");
-  if (length(cross(normalized(view), camera.up)) < 1e-6)
-    t.fail("up", "expected a direction other than the view's own");
+  if (length(cross(normalized(view), camera.up)) < 1e-6) t.fail("up", "expected a direction other than the view's own");
   t.refuse_unknown();
   return camera;
 }
 
 Light light(const TomlTable& t) {
   Light light;
-  light.type = t.choice<LightType>(
-      "type", {{"directional", LightType::kDirectional}, {"point", LightType::kPoint}}, light.type);
+  light.type =
+      t.choice<LightType>("type", {{"directional", LightType::kDirectional}, {"point", LightType::kPoint}}, light.type);
   light.colour = t.vector("color", kNotNegative, light.colour);
   light.intensity = t.number("intensity", kNotNegative, light.intensity);
   if (light.type == LightType::kDirectional) {
@@ -70,8 +68,7 @@ Light light(const TomlTable& t) {
 
 Surface surface(const TomlTable& t) {
   Surface s;
-  s.type = t.choice<SurfaceType>("surface", {{"quad", SurfaceType::kQuad}, {"sphere", SurfaceType::kSphere}},
-                                 s.type);
+  s.type = t.choice<SurfaceType>("surface", {{"quad", SurfaceType::kQuad}, {"sphere", SurfaceType::kSphere}}, s.type);
   if (s.type == SurfaceType::kSphere) {
     s.radius = t.number("radius", kPositive, s.radius);
     return s;
@@ -105,10 +102,9 @@ Object object(const TomlTable& t, const std::string& directory) {
   if (o.normal_map.empty() && o.indexed_map.empty())
     t.fail("normal_map", "expected a file name here or in 'indexed_map', got nothing");
   if (t.has("normal_space"))
-    o.normal_space = t.choice<NormalSpace>(
-        "normal_space", {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}});
-  o.coding.green =
-      t.choice<GreenAxis>("y", {{"up", GreenAxis::kUp}, {"down", GreenAxis::kDown}}, o.coding.green);
+    o.normal_space =
+        t.choice<NormalSpace>("normal_space", {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}});
+  o.coding.green = t.choice<GreenAxis>("y", {{"up", GreenAxis::kUp}, {"down", GreenAxis::kDown}}, o.coding.green);
   if (!o.normal_map.empty()) {
     if (t.has("encoding"))
       o.coding.encoding = t.choice<NormalEncoding>(
@@ -120,8 +116,7 @@ Object object(const TomlTable& t, const std::string& directory) {
       t.fail("channels", "expected two or three letters of x y z w or r g b a, got '" + letters + "'");
   }
   if (!o.indexed_map.empty()) {
-    o.filter = t.choice<Filter>("filter", {{"nearest", Filter::kNearest}, {"bilinear", Filter::kBilinear}},
-                                o.filter);
+    o.filter = t.choice<Filter>("filter", {{"nearest", Filter::kNearest}, {"bilinear", Filter::kBilinear}}, o.filter);
     o.mip = t.choice<MipMode>(
         "mip", {{"off", MipMode::kOff}, {"nearest", MipMode::kNearest}, {"linear", MipMode::kLinear}}, o.mip);
   }
@@ -167,8 +162,7 @@ std::vector<Material> materials(const TomlTable& root) {
 
 ValidationSettings validation(const TomlTable& t) {
   ValidationSettings v;
-  const auto optional_number = [&](const std::string& key,
-                                   const NumberRange& range) -> std::optional<double> {
+  const auto optional_number = [&](const std::string& key, const NumberRange& range) -> std::optional<double> {
     if (!t.has(key)) return {};
     return t.number(key, range);
   };
@@ -204,8 +198,7 @@ RenderPath render_path(const std::string& name, ErrorKind unknown) {
   for (RenderPath path : {RenderPath::kAnalytic, RenderPath::kPalette})
     if (name == burnish::name(path)) return path;
   if (kLater.contains(name))
-    throw Error(ErrorKind::kUnsupported,
-                "path '" + name + "' is not there yet; there are analytic and palette");
+    throw Error(ErrorKind::kUnsupported, "path '" + name + "' is not there yet; there are analytic and palette");
   throw Error(unknown, "expected a path, analytic or palette, got '" + name + "'");
 }
 

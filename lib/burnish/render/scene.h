@@ -44,8 +44,7 @@ struct Object {
 struct ImageSettings {
   int width = 512, height = 512;
   Vec3d background;
-  double exposure_stops =
-      0;  // pictures only: linear values are multiplied by 2^exposure before they are encoded
+  double exposure_stops = 0;  // pictures only: linear values are multiplied by 2^exposure before they are encoded
 };
 
 // What a path must keep to, held against its twin; none: not asked for.
@@ -55,9 +54,8 @@ struct Tolerances {
 
 struct ValidationSettings {
   Tolerances tolerances;
-  std::optional<int> samples;  // of the twin; none: as the path
-  std::optional<double>
-      heat_max;  // difference that takes the heat map's last colour; none: the largest there is
+  std::optional<int> samples;      // of the twin; none: as the path
+  std::optional<double> heat_max;  // difference that takes the heat map's last colour; none: the largest there is
 };
 
 struct Scene {

@@ -25,8 +25,7 @@ std::optional<SurfacePoint> intersect_quad(const Surface& s, const Ray& ray) {
   if (!(p.t > 0)) return {};
   p.position = ray.origin + ray.direction * p.t;
   const double across = p.position.x / s.size_x + 0.5, along = p.position.y / s.size_y + 0.5;
-  if (across < 0 || across >= 1 || along <= 0 || along > 1)
-    return {};  // as texels: left and top sides belong to it
+  if (across < 0 || across >= 1 || along <= 0 || along > 1) return {};  // as texels: left and top sides belong to it
   p.tangent = {1, 0, 0}, p.bitangent = {0, 1, 0}, p.normal = {0, 0, 1};
   p.u = across * s.repeat_u, p.v = along * s.repeat_v;
   differentiate(ray, {s.repeat_u / s.size_x, 0, 0}, {0, s.repeat_v / s.size_y, 0}, p);
@@ -51,8 +50,7 @@ std::optional<SurfacePoint> intersect_sphere(const Surface& s, const Ray& ray) {
   p.u = 0.5 + std::atan2(n.x, n.z) / (2 * kPi);
   p.v = 0.5 + std::atan2(n.y, equator) / kPi;
   constexpr double kPole = 1e-12;  // keeps the gradient finite; the footprint is beyond any map there
-  differentiate(ray, p.tangent / (2 * kPi * s.radius * std::max(equator, kPole)),
-                p.bitangent / (kPi * s.radius), p);
+  differentiate(ray, p.tangent / (2 * kPi * s.radius * std::max(equator, kPole)), p.bitangent / (kPi * s.radius), p);
   return p;
 }
 

@@ -68,8 +68,7 @@ void TomlTable::fail(const std::string& key, const std::string& message) const {
   fail_at(impl_->file, node ? line_of(*node) : impl_->line, "'" + impl_->prefix + key + "': " + message);
 }
 
-double TomlTable::number(const std::string& key, const NumberRange& range,
-                         std::optional<double> fallback) const {
+double TomlTable::number(const std::string& key, const NumberRange& range, std::optional<double> fallback) const {
   const toml::node* node = impl_->find(key);
   if (!node && fallback) return *fallback;
   if (!node) fail(key, std::string("expected ") + range.text + ", got nothing");
@@ -96,8 +95,7 @@ std::string TomlTable::text(const std::string& key, std::optional<std::string> f
   return node->as_string()->get();
 }
 
-std::vector<double> TomlTable::numbers(const std::string& key, std::size_t count,
-                                       const NumberRange& range) const {
+std::vector<double> TomlTable::numbers(const std::string& key, std::size_t count, const NumberRange& range) const {
   const std::string what = "an array of " + std::to_string(count) + ", each " + range.text;
   const toml::node* node = impl_->find(key);
   if (!node) fail(key, "expected " + what + ", got nothing");
@@ -112,8 +110,7 @@ std::vector<double> TomlTable::numbers(const std::string& key, std::size_t count
   return values;
 }
 
-Vec3d TomlTable::vector(const std::string& key, const NumberRange& range,
-                        std::optional<Vec3d> fallback) const {
+Vec3d TomlTable::vector(const std::string& key, const NumberRange& range, std::optional<Vec3d> fallback) const {
   if (fallback && !has(key)) return *fallback;
   const std::vector<double> v = numbers(key, 3, range);
   return {v[0], v[1], v[2]};
@@ -123,8 +120,7 @@ TomlTable TomlTable::table(const std::string& key) const {
   static const auto kEmpty = std::make_shared<const toml::table>();
   const toml::node* node = impl_->find(key);
   if (!node)
-    return TomlTable(
-        std::make_shared<Impl>(Impl{kEmpty, kEmpty.get(), impl_->file, key + ".", impl_->line, {}}));
+    return TomlTable(std::make_shared<Impl>(Impl{kEmpty, kEmpty.get(), impl_->file, key + ".", impl_->line, {}}));
   if (!node->is_table()) fail(key, "expected a table [" + key + "], got " + shown(*node));
   return TomlTable(std::make_shared<Impl>(
       Impl{impl_->root, node->as_table(), impl_->file, impl_->prefix + key + ".", line_of(*node), {}}));
@@ -137,13 +133,12 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
   if (!node->is_array_of_tables() && !(node->is_array() && node->as_array()->empty()))
     fail(key, "expected tables [[" + key + "]], got " + shown(*node));
   for (const toml::node& element : *node->as_array())
-    out.push_back(
-        TomlTable(std::make_shared<Impl>(Impl{impl_->root,
-                                              element.as_table(),
-                                              impl_->file,
-                                              impl_->prefix + key + "[" + std::to_string(out.size()) + "].",
-                                              line_of(element),
-                                              {}})));
+    out.push_back(TomlTable(std::make_shared<Impl>(Impl{impl_->root,
+                                                        element.as_table(),
+                                                        impl_->file,
+                                                        impl_->prefix + key + "[" + std::to_string(out.size()) + "].",
+                                                        line_of(element),
+                                                        {}})));
   return out;
 }
 

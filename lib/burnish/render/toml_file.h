@@ -25,8 +25,8 @@ struct NumberRange {
 };
 
 inline constexpr double kAboveZero = std::numeric_limits<double>::min();
-inline constexpr NumberRange kAnyNumber{-std::numeric_limits<double>::max(),
-                                        std::numeric_limits<double>::max(), "a finite number"};
+inline constexpr NumberRange kAnyNumber{-std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+                                        "a finite number"};
 inline constexpr NumberRange kPositive{kAboveZero, std::numeric_limits<double>::max(), "a number above 0"};
 inline constexpr NumberRange kNotNegative{0, std::numeric_limits<double>::max(), "a number of at least 0"};
 

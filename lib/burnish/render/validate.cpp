@@ -29,8 +29,7 @@ std::string plain(double x) {
 std::string json_text(const Scene& scene, const Validation& v) {
   Json checks = Json::array();
   for (const ToleranceCheck& c : v.checks)
-    checks.push_back(
-        {{"name", c.name}, {"allowed", c.allowed}, {"got", finite_or_null(c.got)}, {"met", c.met}});
+    checks.push_back({{"name", c.name}, {"allowed", c.allowed}, {"got", finite_or_null(c.got)}, {"met", c.met}});
   const Json report{{"scene", std::filesystem::path(scene.name).filename().string()},
                     {"path", name(v.path)},
                     {"twin", name(RenderPath::kAnalytic)},
@@ -69,8 +68,7 @@ std::string Validation::misses() const {
   for (const ToleranceCheck& c : checks)
     if (!c.met)
       out += (out.empty() ? "" : "; ") + c.name + ": expected " +
-             (c.name.starts_with("min") ? "at least " : "at most ") + plain(c.allowed) + ", got " +
-             plain(c.got);
+             (c.name.starts_with("min") ? "at least " : "at most ") + plain(c.allowed) + ", got " + plain(c.got);
   return out;
 }
 
@@ -105,8 +103,7 @@ Validation validate(const Scene& scene, const std::vector<ObjectAssets>& assets,
 
   Validation v{path, compare(frame.colour, twin.colour, counts), frame.table_ms, 0, {}};
   if (v.metrics.pixels == 0)
-    throw file_error(ErrorKind::kMalformed, scene.name,
-                     "no pixel shows an object, so there is nothing to validate");
+    throw file_error(ErrorKind::kMalformed, scene.name, "no pixel shows an object, so there is nothing to validate");
   v.checks = check_tolerances(scene.validation.tolerances, v.metrics);
   v.heat_max = scene.validation.heat_max.value_or(v.metrics.max_abs);
 

@@ -26,9 +26,7 @@ std::string base64(const std::string& bytes) {
   constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
   out.reserve((bytes.size() + 2) / 3 * 4);
-  const auto byte = [&](std::size_t i) {
-    return i < bytes.size() ? std::uint32_t(std::uint8_t(bytes[i])) : 0u;
-  };
+  const auto byte = [&](std::size_t i) { return i < bytes.size() ? std::uint32_t(std::uint8_t(bytes[i])) : 0u; };
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::uint32_t group = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
     for (int k = 0; k < 4; k++) out += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
@@ -39,11 +37,7 @@ std::string base64(const std::string& bytes) {
 std::string escaped(const std::string& text) {
   std::string out;
   for (char c : text)
-    out += c == '&'   ? "&amp;"
-           : c == '<' ? "&lt;"
-           : c == '>' ? "&gt;"
-           : c == '"' ? "&quot;"
-                      : std::string(1, c);
+    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
   return out;
 }
 
@@ -55,8 +49,8 @@ std::string number(double x) {
 }
 
 std::string figure(const std::string& png, const std::string& alt, const std::string& caption) {
-  return "<figure><img alt=\"" + alt + "\" src=\"data:image/png;base64," + base64(png) + "\"><figcaption>" +
-         caption + "</figcaption></figure>\n";
+  return "<figure><img alt=\"" + alt + "\" src=\"data:image/png;base64," + base64(png) + "\"><figcaption>" + caption +
+         "</figcaption></figure>\n";
 }
 
 const ToleranceCheck* check_of(const Validation& v, const std::string& name) {
@@ -65,8 +59,7 @@ const ToleranceCheck* check_of(const Validation& v, const std::string& name) {
   return nullptr;
 }
 
-std::string metric_row(const Validation& v, const std::string& label, double value,
-                       const std::string& tolerance) {
+std::string metric_row(const Validation& v, const std::string& label, double value, const std::string& tolerance) {
   std::string row = "<tr><th>" + label + "</th><td class=\"n\">" + number(value) + "</td>";
   if (const ToleranceCheck* c = check_of(v, tolerance))
     row += std::string("<td class=\"n\">") + (tolerance.starts_with("min") ? "at least " : "at most ") +
@@ -84,10 +77,9 @@ bool uses_one_light_and_view(const Scene& scene) {
 }  // namespace
 
 std::string validation_html(const Scene& scene, const Validation& v, const ValidationPictures& pictures) {
-  const std::string path = name(v.path),
-                    file = escaped(std::filesystem::path(scene.name).filename().string());
-  std::string out = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + file + ": " +
-                    path + " against analytic</title>\n<style>" + kStyle + "</style></head><body>\n";
+  const std::string path = name(v.path), file = escaped(std::filesystem::path(scene.name).filename().string());
+  std::string out = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + file + ": " + path +
+                    " against analytic</title>\n<style>" + kStyle + "</style></head><body>\n";
   out += "<h1>" + file + ": path <em>" + path + "</em> against its analytic twin: ";
   if (v.checks.empty()) out += "measured</h1>\n<p>The scene sets no tolerance.</p>\n";
   else
@@ -107,15 +99,13 @@ std::string validation_html(const Scene& scene, const Validation& v, const Valid
         "origin. The difference shown holds that as well as the quantization.</p>\n";
   const int twin_samples = scene.validation.samples.value_or(scene.samples);
   const auto grid = [](int n) { return std::to_string(n) + "×" + std::to_string(n) + " samples a pixel"; };
-  out +=
-      "<div class=\"pictures\">\n" + figure(pictures.picture, path, path + ", " + grid(scene.samples)) +
-      figure(pictures.twin, "analytic", "analytic, " + grid(twin_samples)) +
-      figure(
-          pictures.difference, "difference",
-          "difference of the worst channel; grey shows no object<div class=\"legend\" style=\"background: " +
-              heat_css_gradient() + "\"></div><div class=\"ends\"><span>0</span><span>" +
-              number(v.heat_max / 2) + "</span><span>" + number(v.heat_max) + "</span></div>") +
-      "</div>\n</body></html>\n";
+  out += "<div class=\"pictures\">\n" + figure(pictures.picture, path, path + ", " + grid(scene.samples)) +
+         figure(pictures.twin, "analytic", "analytic, " + grid(twin_samples)) +
+         figure(pictures.difference, "difference",
+                "difference of the worst channel; grey shows no object<div class=\"legend\" style=\"background: " +
+                    heat_css_gradient() + "\"></div><div class=\"ends\"><span>0</span><span>" + number(v.heat_max / 2) +
+                    "</span><span>" + number(v.heat_max) + "</span></div>") +
+         "</div>\n</body></html>\n";
   return out;
 }
 

@@ -14,7 +14,6 @@ struct ValidationPictures {
   std::string picture, twin, difference;
 };
 
-std::string validation_html(const Scene& scene, const Validation& validation,
-                            const ValidationPictures& pictures);
+std::string validation_html(const Scene& scene, const Validation& validation, const ValidationPictures& pictures);
 
 }  // namespace burnish
