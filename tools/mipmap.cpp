@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "burnish/core/error.h"
+#include "burnish/core/mip.h"
 #include "burnish/palette/index_mips.h"
 #include "cli/options.h"
 #include "cli/tool.h"
@@ -68,11 +69,14 @@ int main(int argc, char** argv) {
     const FileRef chain = output.path.empty() ? FileRef() : tool.write(output.path);
     IndexedMap map = read_indexed_map(file, options.coding.green);
     output.require_format(type, map.palette.normals.size());
+    const int count = levels ? levels : level_count(map.width(), map.height());
+    if (!chain.empty()) require_can_hold_levels(chain, type, count);
+    std::vector<FileRef> parts;
+    for (int l = 0; l < count && !split.empty(); l++) parts.push_back(tool.write(level_name(split, l)));
     const std::vector<MipLevelStats> stats = build_index_mips(map, options, tool.progress());
     if (!chain.empty()) write_indexed_map(chain, type, map);
-    if (!split.empty())
-      for (std::size_t l = 0; l < map.levels.size(); l++)
-        write_indexed_map(tool.write(level_name(split, int(l))), split_type, {map.palette, {map.levels[l]}});
+    for (std::size_t l = 0; l < parts.size(); l++)
+      write_indexed_map(parts[l], split_type, {map.palette, {map.levels[l]}});
     Json list = Json::array();
     for (const MipLevelStats& s : stats)
       list.push_back({{"width", s.width}, {"height", s.height}, {"rms_deg", s.rms_deg}});

@@ -67,3 +67,6 @@ small_disk() {
   [ "$(id -u)" -eq 0 ] || skip "only root can mount a small disk"
   mount -t tmpfs -o size=64k tmpfs "$1" 2>/dev/null || skip "no disk can be mounted here"
 }
+
+# A negated command never fails a test: differ A B does.
+differ() { if cmp -s "$1" "$2"; then echo "$1 is $2"; return 1; fi; }

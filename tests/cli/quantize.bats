@@ -4,9 +4,6 @@
 
 load helpers
 
-# A negated command never fails a test: differ A B does.
-differ() { if cmp -s "$1" "$2"; then echo "$1 is $2"; return 1; fi; }
-
 # less A B: whether one figure is below another.
 less() { awk "BEGIN { exit !($1 < $2) }" || { echo "$1 is not below $2"; return 1; }; }
 

@@ -247,7 +247,7 @@ TEST(ImageIo, WhatCannotBeReadSaysWhy) {
   EXPECT_ERROR(read_image(dir / "empty.png"), ErrorKind::kMalformed, "empty.png");
   write_bytes(dir / "text.png", "not an image\n");
   EXPECT_ERROR(read_image(dir / "text.png"), ErrorKind::kMalformed, "text.png");
-  EXPECT_ERROR(read_image(FileRef(dir / "text.png", "-")), ErrorKind::kMalformed, "standard input");
+  EXPECT_ERROR(read_image(FileRef(dir / "text.png", kStandardInput)), ErrorKind::kMalformed, "standard input");
 }
 
 TEST(ImageIo, FilesCutShortAnywhereAreRefusedNotReadAsSomething) {

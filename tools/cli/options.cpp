@@ -34,15 +34,18 @@ void add_output(CLI::App& app, std::string& path, std::string& format, std::stri
       ->type_name("png|exr|tiff");
 }
 
+// An output as messages call it.
+const std::string& shown(const std::string& path) { return path == "-" ? kStandardOutput : path; }
+
 FileType type_of_output(const std::string& path, const std::string& output_type) {
   if (path != "-") return file_type_of(path);
-  if (output_type.empty()) throw Error(ErrorKind::kUsage, "standard output needs --output-type png, exr or tiff");
+  if (output_type.empty()) throw file_error(ErrorKind::kUsage, kStandardOutput, "needs --output-type png, exr or tiff");
   return file_type_of("x." + output_type);
 }
 
 FileType require_indexed(FileType type, const std::string& path) {
   if (type == FileType::kExr || type == FileType::kPng) return type;
-  throw file_error(ErrorKind::kUnsupported, path,
+  throw file_error(ErrorKind::kUnsupported, shown(path),
                    std::string("an indexed normal map or palette is written as EXR or PNG, not ") + name(type));
 }
 
@@ -59,7 +62,7 @@ FileType IndexedOutput::type() const { return require_indexed(type_of_output(pat
 void IndexedOutput::require_format(FileType type, std::size_t normals) const {
   const std::string stored = type == FileType::kExr ? "uint32" : normals <= 256 ? "uint8" : "uint16";
   if (!format.empty() && format != stored)
-    throw file_error(ErrorKind::kUnsupported, path,
+    throw file_error(ErrorKind::kUnsupported, shown(path),
                      std::string(name(type)) + " holds indices into " + std::to_string(normals) + " normals as " +
                          stored + ", not " + format);
 }
@@ -70,7 +73,7 @@ SampleType ImageOutput::sample() const {
   SampleType sample = default_sample_type(type());
   for (SampleType s : {SampleType::kUint8, SampleType::kUint16, SampleType::kHalf, SampleType::kFloat})
     if (format == name(s)) sample = s;
-  require_can_hold(type(), sample, path);
+  require_can_hold(type(), sample, shown(path));
   return sample;
 }
 

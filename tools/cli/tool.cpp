@@ -49,9 +49,9 @@ void spool_standard_input(const std::string& path) {
   for (ssize_t n; (n = ::read(STDIN_FILENO, buffer.data(), buffer.size())) != 0;) {
     if (n < 0 && errno == EINTR) continue;
     if (n < 0 || !out.write(buffer.data(), n))
-      throw file_error(ErrorKind::kIo, "-", "cannot be read into a temporary file");
+      throw file_error(ErrorKind::kIo, kStandardInput, "cannot be read into a temporary file");
   }
-  if (!out.flush()) throw file_error(ErrorKind::kIo, "-", "cannot be read into a temporary file");
+  if (!out.flush()) throw file_error(ErrorKind::kIo, kStandardInput, "cannot be read into a temporary file");
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ FileRef Tool::read(const std::string& path) {
     standard_input_.emplace();
     spool_standard_input(standard_input_->path());
   }
-  return {standard_input_->path(), "-"};
+  return {standard_input_->path(), kStandardInput};
 }
 
 FileRef Tool::write(const std::string& path) {

@@ -28,9 +28,14 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
+// How standard input and output are called where a file's name would stand.
+inline const std::string kStandardInput = "standard input";
+inline const std::string kStandardOutput = "standard output";
+
 // 'name': message
 inline Error file_error(ErrorKind kind, const std::string& name, const std::string& message) {
-  return Error(kind, (name == "-" ? "standard input" : "'" + name + "'") + ": " + message);
+  const bool stream = name == kStandardInput || name == kStandardOutput;
+  return Error(kind, (stream ? name : "'" + name + "'") + ": " + message);
 }
 
 }  // namespace burnish

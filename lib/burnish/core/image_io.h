@@ -31,7 +31,7 @@ SampleType default_sample_type(FileType type);
 // kUnsupported where the file type cannot hold the samples.
 void require_can_hold(FileType type, SampleType sample, const std::string& name);
 
-// A file as it is opened, and as people know it ("-" is standard input or output).
+// A file as it is opened, and as people know it (kStandardInput and kStandardOutput too).
 struct FileRef {
   std::string path, name;
   FileRef() = default;

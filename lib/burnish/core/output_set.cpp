@@ -65,15 +65,13 @@ bool same_file(const std::string& a, const std::string& b) {
 
 // Whether two names lead to one place, where there is a file or not.
 bool same_place(const std::string& a, const std::string& b) {
-  if (a == "-" || b == "-") return a == b;
   const fs::path pa(a), pb(b);
   const auto directory = [](const fs::path& p) { return p.has_parent_path() ? p.parent_path().string() : "."; };
   return pa.filename() == pb.filename() && same_file(directory(pa), directory(pb));
 }
 
 Error cannot_write(const std::string& name, int error) {
-  return Error(ErrorKind::kIo, (name == "-" ? std::string("standard output") : "'" + name + "'") +
-                                   ": cannot be written: " + std::strerror(error));
+  return file_error(ErrorKind::kIo, name, std::string("cannot be written: ") + std::strerror(error));
 }
 
 Error is_an_input(const std::string& name) {
@@ -82,7 +80,7 @@ Error is_an_input(const std::string& name) {
 
 void copy_to_stdout(const std::string& path) {
   std::FILE* in = std::fopen(path.c_str(), "rb");
-  if (!in) throw cannot_write("-", errno);
+  if (!in) throw cannot_write(kStandardOutput, errno);
   std::vector<char> buffer(1 << 20);
   int error = 0;
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), in)) {
@@ -93,7 +91,7 @@ void copy_to_stdout(const std::string& path) {
   }
   std::fclose(in);
   if (!error && std::fflush(stdout) != 0) error = errno;
-  if (error) throw cannot_write("-", error);
+  if (error) throw cannot_write(kStandardOutput, error);
 }
 
 }  // namespace
@@ -101,18 +99,19 @@ void copy_to_stdout(const std::string& path) {
 void OutputSet::protect(const std::string& input) {
   inputs_.push_back(input);
   for (const Output& o : outputs_)
-    if (o.file.name != "-" && same_file(input, o.file.name)) throw is_an_input(o.file.name);
+    if (!o.is_stdout && same_file(input, o.file.name)) throw is_an_input(o.file.name);
 }
 
 FileRef OutputSet::add(const std::string& target, int rank) {
+  const bool is_stdout = target == "-";
+  const std::string& name = is_stdout ? kStandardOutput : target;
   for (const Output& o : outputs_)
-    if (same_place(o.file.name, target))
-      throw Error(ErrorKind::kUsage, (target == "-" ? std::string("standard output") : "'" + target + "'") +
-                                         ": is named as an output twice");
-  if (target == "-") {
+    if (o.is_stdout == is_stdout && (is_stdout || same_place(o.file.name, target)))
+      throw file_error(ErrorKind::kUsage, name, "is named as an output twice");
+  if (is_stdout) {
     const std::string path = create_unique(scratch_directory(), "burnish-stdout");
     if (path.empty()) throw cannot_write(scratch_directory().string(), errno);
-    outputs_.push_back({FileRef(path, "-"), publish(path), rank});
+    outputs_.push_back({FileRef(path, name), publish(path), rank, true});
     return outputs_.back().file;
   }
   const fs::path t(target);
@@ -125,13 +124,13 @@ FileRef OutputSet::add(const std::string& target, int rank) {
   if (fs::exists(t, ignored) && ::access(target.c_str(), W_OK) != 0) throw cannot_write(target, errno);
   const std::string path = create_unique(directory, t.filename().string());
   if (path.empty()) throw cannot_write(target, errno);
-  outputs_.push_back({FileRef(path, target), publish(path), rank});
+  outputs_.push_back({FileRef(path, target), publish(path), rank, false});
   return outputs_.back().file;
 }
 
 void OutputSet::commit() {
   // Standard output first: a closed pipe is the failure that a rename cannot undo.
-  std::ranges::stable_sort(outputs_, {}, [](const Output& o) { return o.file.name == "-" ? INT_MIN : o.rank; });
+  std::ranges::stable_sort(outputs_, {}, [](const Output& o) { return o.is_stdout ? INT_MIN : o.rank; });
   for (const Output& o : outputs_) {  // what did not reach the disk is found before anything is replaced
     const int fd = ::open(o.file.path.c_str(), O_RDONLY | O_CLOEXEC);
     if (fd < 0) throw cannot_write(o.file.name, errno);
@@ -141,7 +140,7 @@ void OutputSet::commit() {
     if (error) throw cannot_write(o.file.name, error);
   }
   for (Output& o : outputs_) {
-    if (o.file.name == "-") {
+    if (o.is_stdout) {
       copy_to_stdout(o.file.path);
       ::unlink(o.file.path.c_str());
     } else if (::rename(o.file.path.c_str(), o.file.name.c_str()) != 0) {

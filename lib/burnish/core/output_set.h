@@ -36,6 +36,7 @@ class OutputSet {
   struct Output {
     FileRef file;
     int slot, rank;
+    bool is_stdout;
   };
   std::vector<Output> outputs_;
   std::vector<std::string> inputs_;

@@ -82,14 +82,20 @@ Palette read_palette(const FileRef& file, GreenAxis green) {
   return palette;
 }
 
-void write_indexed_map(const FileRef& file, FileType type, const IndexedMap& map) {
-  if (type == FileType::kExr) return detail::write_indexed_exr(file, map);
-  if (type != FileType::kPng) unsupported(file, type);
-  if (map.levels.size() > 1)
+void require_can_hold_levels(const FileRef& file, FileType type, int levels) {
+  if (type != FileType::kExr && type != FileType::kPng) unsupported(file, type);
+  if (type == FileType::kPng && levels > 1)
     throw file_error(ErrorKind::kUnsupported, file.name,
-                     "PNG holds one level, not " + std::to_string(map.levels.size()) +
+                     "PNG holds one level, not " + std::to_string(levels) +
                          " (EXR holds all; --split writes one file a level)");
-  detail::write_indexed_png(file, map);
+}
+
+void write_indexed_map(const FileRef& file, FileType type, const IndexedMap& map) {
+  require_can_hold_levels(file, type, int(map.levels.size()));
+  if (type == FileType::kExr)
+    detail::write_indexed_exr(file, map);
+  else
+    detail::write_indexed_png(file, map);
 }
 
 void write_palette(const FileRef& file, FileType type, const Palette& palette) {

@@ -55,6 +55,9 @@ IndexedMap read_indexed_map(const FileRef& file, GreenAxis green = GreenAxis::kU
 // its type says (one material; `green` tells which way its y points).
 Palette read_palette(const FileRef& file, GreenAxis green = GreenAxis::kUp);
 
+// PNG holds one level, EXR any chain: kUnsupported otherwise, and for other types.
+void require_can_hold_levels(const FileRef& file, FileType type, int levels);
+
 // EXR holds all levels, PNG one: kUnsupported for a chain in a PNG and for other types. The same map gives the same
 // bytes.
 void write_indexed_map(const FileRef& file, FileType type, const IndexedMap& map);

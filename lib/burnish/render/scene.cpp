@@ -244,7 +244,7 @@ Scene read_scene(const FileRef& file) {
   std::ifstream in(file.path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in.is_open() || in.bad()) throw file_error(ErrorKind::kIo, file.name, "cannot be read");
-  return parse_scene(text, file.name, file.name == "-" ? "" : fs::path(file.name).parent_path().string());
+  return parse_scene(text, file.name, file.name == kStandardInput ? "" : fs::path(file.name).parent_path().string());
 }
 
 }  // namespace burnish
