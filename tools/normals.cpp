@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
   output.add_to(app);
   app.add_option_function<std::string>(
          "--height", [&](const std::string& t) { options.height = parse_length("--height", t); },
-         "Displacement of the value 1.0, in the units of --size: 2m, 10cm, 5mm or a number (default 1)")
+         "Displacement of the value 1.0, in the units of --size: 2m, 10cm, 5mm or a number, which counts as metres "
+         "beside them (default 1)")
       ->type_name("H");
   app.add_option_function<std::string>(
          "--size", [&](const std::string& t) { parse_size(t, options); },

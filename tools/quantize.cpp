@@ -37,11 +37,12 @@ int main(int argc, char** argv) {
   auto* count = app.add_option("-n,--normals", options.normals, "Palette size, 2 to 65536 (default 256)")
                     ->check(CLI::Range(2, kMaxPaletteSize))
                     ->type_name("N");
-  auto* target = app.add_option("--target-error", options.target_error_deg,
-                                "Instead of -n: the smallest palette whose RMS angle is at most that")
-                     ->check(CLI::Range(0.0, 180.0))
-                     ->type_name("DEG")
-                     ->excludes(count);
+  auto* target =
+      app.add_option("--target-error", options.target_error_deg,
+                     "Instead of -n: the smallest palette whose RMS angle, before dithering, is at most that")
+          ->check(CLI::Range(0.0, 180.0))
+          ->type_name("DEG")
+          ->excludes(count);
   app.add_option("--material", material, "Material id of each texel: one channel, 8-bit")->type_name("FILE");
   app.add_option("--mask", mask, "Texels where it is 0 do not shape the palette")->type_name("FILE");
   add_choice<Dither>(app, "--dither", options.dither,
@@ -62,9 +63,9 @@ int main(int argc, char** argv) {
       ->excludes(engine);
   app.add_option("--palette-output", palette_output, "Write the palette alone: an N x 1 image, .exr or .png")
       ->type_name("FILE");
-  add_choice<NormalSpace>(app, "--space", options.space,
-                          {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}},
-                          "Space of the normals, recorded in the output (default tangent)");
+  add_choice<std::optional<NormalSpace>>(
+      app, "--space", options.space, {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}},
+      "Space of the normals, recorded in the output (default tangent, or the palette's)");
   add_normal_coding(app, options.coding, true);
 
   return tool.run(argc, argv, [&]() -> Json {

@@ -148,7 +148,7 @@ int main(int argc, char** argv) {
   app.add_flag("--validate", o.validate,
                "Hold the scene's path against its analytic twin; exit 10 if a tolerance is not met");
   app.add_option("--report-dir", o.report_dir,
-                 "Where --validate writes picture.png, twin.png, difference.png, report.json and "
+                 "Where --validate writes PATH.png, analytic.png, difference.png, report.json and "
                  "report.html; made if missing")
       ->type_name("DIR");
 

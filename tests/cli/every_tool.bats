@@ -485,3 +485,34 @@ NINJA
     ! grep -aqF "$(hostname)" x.$ext || [ "$(hostname | wc -c)" -lt 6 ]
   done
 }
+
+@test "devices, pipes and links are written through, never replaced" {
+  make_image bumps 8 8 h.png
+  burnish-normals h.png -o x.png --report /dev/stdout >report.json
+  grep -q '"tool": "burnish-normals"' report.json
+  [ ! -f /dev/stdout ] || [ -L /dev/stdout ]
+  burnish-normals h.png -o x.png --report /dev/null --depfile /dev/null
+  [ -c /dev/null ]
+  mkfifo pipe
+  cat pipe >from_pipe.json &
+  burnish-normals h.png -o x.png --report pipe
+  wait
+  [ -p pipe ]
+  grep -q '"tool": "burnish-normals"' from_pipe.json
+  mkdir elsewhere
+  ln -s elsewhere/real.png link.png
+  burnish-normals h.png -o link.png
+  [ -L link.png ]
+  cmp elsewhere/real.png x.png
+}
+
+@test "standard input cannot be read twice" {
+  make_image bumps 8 8 h.png
+  refuses 1 "standard input: is named as an input twice" burnish-normals - --mask - -o x.png <h.png
+}
+
+@test "--output-type does not change what a name says" {
+  make_image bumps 8 8 h.png
+  refuses 1 "--output-type" burnish-normals h.png -o x.png --output-type exr
+  succeeds burnish-normals h.png -o x.png --output-type png
+}

@@ -224,7 +224,7 @@ TABLE
     differ x.png default.png
   done
   for wrong in 3 A Z -1 99999999999; do
-    refuses 1 "channel" burnish-normals rgb.png -o x.png --channel "$wrong"
+    refuses 3 "channel" burnish-normals rgb.png -o x.png --channel "$wrong"
   done
   make_image grey 12 8 grey.png
   succeeds burnish-normals grey.png -o x.png
@@ -290,4 +290,10 @@ peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
 print(f"{peak:.0f} MiB")
 sys.exit(peak > 180)
 PYTHON
+}
+
+@test "slopes beyond floating point are refused" {
+  make_image bumps 8 8 h.png
+  refuses 3 "too steep" burnish-normals h.png -o x.exr --size 1e-100
+  refuses 3 "too steep" burnish-normals h.png -o x.png --height 1e200
 }

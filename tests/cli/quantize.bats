@@ -279,3 +279,12 @@ PYTHON
   succeeds burnish-quantize n.png --material ids.png --mask mask.png --palette p.exr -o x.exr --depfile x.d
   [ "$(cat x.d)" = "x.exr: n.png ids.png mask.png p.exr" ] || { cat x.d; return 1; }
 }
+
+@test "a palette of another space than the one asked for is refused; unasked, the palette's own is kept" {
+  inputs
+  succeeds burnish-quantize n.png -n 16 --space object -o object.exr
+  refuses 3 "space" burnish-quantize n.png --palette object.exr --space tangent -o x.exr
+  succeeds burnish-quantize n.png --palette object.exr -o x.exr
+  succeeds burnish-quantize n.png --palette object.exr --space object -o y.exr
+  same_bytes x.exr y.exr
+}

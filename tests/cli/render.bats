@@ -228,3 +228,8 @@ scene() {
   refuses 1 "is an input" burnish-render s.toml -o n.png
   refuses 1 "--output" burnish-render s.toml
 }
+
+@test "a key of very many parts is refused" {
+  printf '[%s]\n' "$(printf 'a.%.0s' $(seq 50000))a" >deep.toml
+  refuses 3 "line 1" burnish-render deep.toml -o x.png
+}

@@ -496,7 +496,7 @@ TEST(HeightMap, ChannelsByNameAndNumber) {
   EXPECT_GT(slope("B"), 0.f);
   EXPECT_GT(slope("2"), 0.f);
   for (const char* wrong : {"A", "3", "-1", "height"})
-    EXPECT_ERROR(slope(wrong), ErrorKind::kUsage, "expected channel");
+    EXPECT_ERROR(slope(wrong), ErrorKind::kMalformed, "expected channel");
 }
 
 TEST(HeightMap, DifferingColoursAreNoticedUnlessAChannelWasChosen) {

@@ -178,20 +178,28 @@ TEST(ImageIo, BandsOfAnyHeightEqualTheWhole) {
     }
 }
 
-// An EXR whose data window does not start at the origin is an image like any other.
+// An EXR whose windows do not start at the origin is an image like any other; one that holds a part of its picture is
+// not.
 TEST(ImageIo, AnOffsetDataWindowIsReadFromItsFirstRow) {
   const ScratchDir dir;
   for (int tile : {0, 16}) {
     const Image image = random_image(20, 40, 1, SampleType::kFloat);
     auto out = OIIO::ImageOutput::create(dir / "w.exr");
     OIIO::ImageSpec spec(20, 40, 1, OIIO::TypeDesc::FLOAT);
-    spec.x = 5, spec.y = -3;
+    spec.x = spec.full_x = 5, spec.y = spec.full_y = -3;
     if (tile) spec.tile_width = spec.tile_height = tile, spec.tile_depth = 1;
     ASSERT_TRUE(out->open(dir / "w.exr", spec));
     ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, image.data.data()));
     ASSERT_TRUE(out->close());
     out.reset();
     EXPECT_EQ(read_image(dir / "w.exr").data, image.data) << "tile " << tile;
+    spec.full_x = 0;
+    out = OIIO::ImageOutput::create(dir / "w.exr");
+    ASSERT_TRUE(out->open(dir / "w.exr", spec));
+    ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, image.data.data()));
+    ASSERT_TRUE(out->close());
+    out.reset();
+    EXPECT_ERROR(read_image(dir / "w.exr"), ErrorKind::kUnsupported, "data window");
   }
 }
 

@@ -24,21 +24,27 @@ void add_normal_coding(CLI::App& app, NormalCoding& coding, bool with_channels) 
 namespace {
 
 // The options of both kinds of image that are written.
-void add_output(CLI::App& app, std::string& path, std::string& format, std::string& output_type) {
+void add_output(CLI::App& app, std::string& path, std::string& format, std::string& output_type,
+                const std::string& types) {
   app.add_option("-o,--output", path, "File to write; '-' is standard output")->required()->type_name("FILE");
   app.add_option("-d,--format", format, "Samples: uint8, uint16, half or float; default by the file's type")
       ->check(CLI::IsMember({"uint8", "uint16", "half", "float"}))
       ->type_name("F");
   app.add_option("--output-type", output_type, "Type of what goes to standard output")
       ->check(CLI::IsMember({"png", "exr", "tiff"}))
-      ->type_name("png|exr|tiff");
+      ->type_name(types);
 }
 
 // An output as messages call it.
 const std::string& shown(const std::string& path) { return path == "-" ? kStandardOutput : path; }
 
 FileType type_of_output(const std::string& path, const std::string& output_type) {
-  if (path != "-") return file_type_of(path);
+  if (path != "-") {
+    const FileType type = file_type_of(path);
+    if (!output_type.empty() && file_type_of("x." + output_type) != type)
+      throw file_error(ErrorKind::kUsage, path, "--output-type " + output_type + " is for standard output");
+    return type;
+  }
   if (output_type.empty()) throw file_error(ErrorKind::kUsage, kStandardOutput, "needs --output-type png, exr or tiff");
   return file_type_of("x." + output_type);
 }
@@ -51,11 +57,11 @@ FileType require_indexed(FileType type, const std::string& path) {
 
 }  // namespace
 
-void ImageOutput::add_to(CLI::App& app) { add_output(app, path, format, output_type); }
+void ImageOutput::add_to(CLI::App& app) { add_output(app, path, format, output_type, "png|exr|tiff"); }
 
 FileType ImageOutput::type() const { return type_of_output(path, output_type); }
 
-void IndexedOutput::add_to(CLI::App& app) { add_output(app, path, format, output_type); }
+void IndexedOutput::add_to(CLI::App& app) { add_output(app, path, format, output_type, "png|exr"); }
 
 FileType IndexedOutput::type() const { return require_indexed(type_of_output(path, output_type), path); }
 

@@ -113,10 +113,9 @@ void Tool::note_input(const std::string& path) {
 FileRef Tool::read(const std::string& path) {
   note_input(path);
   if (path != "-") return path;
-  if (!standard_input_) {
-    standard_input_.emplace();
-    spool_standard_input(standard_input_->path());
-  }
+  if (standard_input_) throw file_error(ErrorKind::kUsage, kStandardInput, "is named as an input twice");
+  standard_input_.emplace();
+  spool_standard_input(standard_input_->path());
   return {standard_input_->path(), kStandardInput};
 }
 
@@ -149,7 +148,9 @@ void Tool::finish(const Json& stats, double seconds) {
                       {"outputs", outputs_}, {"seconds", seconds},         {"stats", stats}};
     write_text(report_file_, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   }
-  if (!depfile_.empty()) {
+  if (!missed_.empty() && !depfile_.empty()) {
+    output_set_->discard(depfile_file_);  // only success is done
+  } else if (!depfile_.empty()) {
     std::vector<std::string> files = inputs_;
     std::erase(files, "-");
     write_text(depfile_file_, depfile_text(first_output, files));
@@ -171,7 +172,7 @@ int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
     return fail(kUsage, std::string(error.what()) + " (" + text_.name + " --help explains)");
   }
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like any other
-  for (int s : {SIGINT, SIGTERM, SIGHUP}) std::signal(s, remove_temporaries_and_die);
+  for (int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGXFSZ}) std::signal(s, remove_temporaries_and_die);
   try {
     if (!verbose_) silence_codecs();
     output_set_.emplace();

@@ -84,15 +84,6 @@ std::string codec_from_signature(const FileRef& file) {
                    "expected an image (PNG, TIFF, EXR, JPEG, TGA, BMP, HDR or PNM), got something else");
 }
 
-void require_readable(const FileRef& file) {
-  struct stat st;
-  if (::stat(file.path.c_str(), &st) != 0)
-    throw file_error(ErrorKind::kIo, file.name, std::string("cannot be read: ") + std::strerror(errno));
-  if (S_ISDIR(st.st_mode)) throw file_error(ErrorKind::kIo, file.name, "expected a file, got a directory");
-  if (!std::ifstream(file.path, std::ios::binary))
-    throw file_error(ErrorKind::kIo, file.name, std::string("cannot be read: ") + std::strerror(errno));
-}
-
 // A CheckedFile as OpenImageIO's codecs take it. Most of them look at no result of their own writes: without it a full
 // disk passes unseen.
 class CheckedProxy final : public OIIO::Filesystem::IOProxy {
@@ -120,6 +111,15 @@ class CheckedProxy final : public OIIO::Filesystem::IOProxy {
 };
 
 }  // namespace
+
+void require_readable(const FileRef& file) {
+  struct stat st;
+  if (::stat(file.path.c_str(), &st) != 0)
+    throw file_error(ErrorKind::kIo, file.name, std::string("cannot be read: ") + std::strerror(errno));
+  if (S_ISDIR(st.st_mode)) throw file_error(ErrorKind::kIo, file.name, "expected a file, got a directory");
+  if (!std::ifstream(file.path, std::ios::binary))
+    throw file_error(ErrorKind::kIo, file.name, std::string("cannot be read: ") + std::strerror(errno));
+}
 
 const char* name(SampleType type) {
   switch (type) {
@@ -217,6 +217,12 @@ ImageReader::ImageReader(const FileRef& file) : impl_(std::make_unique<Impl>()) 
   const OIIO::ImageSpec& spec = impl_->spec;
   if (spec.depth > 1 || spec.deep)
     throw file_error(ErrorKind::kUnsupported, file.name, "expected a flat image, got a volume or deep image");
+  if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
+      spec.height != spec.full_height)
+    throw file_error(ErrorKind::kUnsupported, file.name,
+                     "expected the data window to be the whole image, got " + std::to_string(spec.width) + "x" +
+                         std::to_string(spec.height) + " texels of " + std::to_string(spec.full_width) + "x" +
+                         std::to_string(spec.full_height));
   if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
     throw file_error(ErrorKind::kMalformed, file.name, "expected an image with texels, got none");
 }

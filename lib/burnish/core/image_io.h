@@ -3,7 +3,8 @@
 // The only user of OpenImageIO. Samples are never colour-converted, multiplied by alpha or rotated; integers read as
 // floats are divided by their maximum, floats are taken as they are. Writers put no clock and no path into a file.
 // Errors: kIo where a file is missing, a directory, unreadable or unwritable; kMalformed where its content is damaged
-// or of no known type; kUnsupported where it is valid but beyond what is read here.
+// or of no known type; kUnsupported where it is valid but beyond what is read here: volumes,
+// deep images, data windows that are not the whole image.
 #pragma once
 
 #include <cstdint>
@@ -40,6 +41,9 @@ struct FileRef {
   FileRef(std::string p, std::string n) : path(std::move(p)), name(std::move(n)) {}
   bool empty() const { return path.empty(); }
 };
+
+// kIo, with the reason, where the file is missing, a directory or not to be read.
+void require_readable(const FileRef& file);
 
 class ImageReader {
  public:

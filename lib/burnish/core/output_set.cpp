@@ -78,20 +78,17 @@ Error is_an_input(const std::string& name) {
   return file_error(ErrorKind::kUsage, name, "is an input; name another output");
 }
 
-void copy_to_stdout(const std::string& path) {
-  std::FILE* in = std::fopen(path.c_str(), "rb");
-  if (!in) throw cannot_write(kStandardOutput, errno);
+// To standard output, or into what stands under a name and is no file: a device or a pipe.
+void copy_to_stream(const FileRef& file, bool is_stdout) {
+  std::FILE* in = std::fopen(file.path.c_str(), "rb");
+  std::FILE* out = is_stdout ? stdout : std::fopen(file.name.c_str(), "wbe");
+  int error = in && out ? 0 : errno;
   std::vector<char> buffer(1 << 20);
-  int error = 0;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), in)) {
-    if (std::fwrite(buffer.data(), 1, n, stdout) != n) {
-      error = errno ? errno : EIO;
-      break;
-    }
-  }
-  std::fclose(in);
-  if (!error && std::fflush(stdout) != 0) error = errno;
-  if (error) throw cannot_write(kStandardOutput, error);
+  while (const std::size_t n = error ? 0 : std::fread(buffer.data(), 1, buffer.size(), in))
+    if (std::fwrite(buffer.data(), 1, n, out) != n) error = errno ? errno : EIO;
+  if (in) std::fclose(in);
+  if (out && (is_stdout ? std::fflush(out) : std::fclose(out)) != 0 && !error) error = errno;
+  if (error) throw cannot_write(file.name, error);
 }
 
 }  // namespace
@@ -99,51 +96,60 @@ void copy_to_stdout(const std::string& path) {
 void OutputSet::protect(const std::string& input) {
   inputs_.push_back(input);
   for (const Output& o : outputs_)
-    if (!o.is_stdout && same_file(input, o.file.name)) throw is_an_input(o.file.name);
+    if (o.kind == Kind::kFile && same_file(input, o.target)) throw is_an_input(o.file.name);
 }
 
-FileRef OutputSet::add(const std::string& target, int rank) {
-  const bool is_stdout = target == "-";
-  const std::string& name = is_stdout ? kStandardOutput : target;
-  for (const Output& o : outputs_)
-    if (o.is_stdout == is_stdout && (is_stdout || same_place(o.file.name, target)))
-      throw file_error(ErrorKind::kUsage, name, "is named as an output twice");
-  if (is_stdout) {
-    const std::string path = create_unique(scratch_directory(), "burnish-stdout");
-    if (path.empty()) throw cannot_write(scratch_directory().string(), errno);
-    outputs_.push_back({FileRef(path, name), publish(path), rank, true});
-    return outputs_.back().file;
+FileRef OutputSet::add(const std::string& name, int rank) {
+  if (name == "-") {
+    for (const Output& o : outputs_)
+      if (o.kind == Kind::kStdout) throw file_error(ErrorKind::kUsage, kStandardOutput, "is named as an output twice");
+    return add_stream(Kind::kStdout, kStandardOutput, rank);
   }
-  const fs::path t(target);
   std::error_code ignored;
-  if (fs::is_directory(t, ignored))
-    throw file_error(ErrorKind::kIo, target, "expected a file to write, got a directory");
+  const fs::file_status status = fs::status(name, ignored);
+  if (fs::is_directory(status)) throw file_error(ErrorKind::kIo, name, "expected a file to write, got a directory");
+  if (fs::exists(status) && ::access(name.c_str(), W_OK) != 0) throw cannot_write(name, errno);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return add_stream(Kind::kDevice, name, rank);
+  fs::path t = name;  // what a link leads to is replaced, not the link
+  for (int hops = 0; fs::is_symlink(fs::symlink_status(t, ignored)) && hops < 40; hops++)
+    t = t.parent_path() / fs::read_symlink(t, ignored);
+  for (const Output& o : outputs_)
+    if (o.kind == Kind::kFile && same_place(o.target, t.string()))
+      throw file_error(ErrorKind::kUsage, name, "is named as an output twice");
   for (const std::string& in : inputs_)
-    if (same_file(in, target)) throw is_an_input(target);
-  const fs::path directory = t.has_parent_path() ? t.parent_path() : fs::path(".");
-  if (fs::exists(t, ignored) && ::access(target.c_str(), W_OK) != 0) throw cannot_write(target, errno);
-  const std::string path = create_unique(directory, t.filename().string());
-  if (path.empty()) throw cannot_write(target, errno);
-  outputs_.push_back({FileRef(path, target), publish(path), rank, false});
+    if (same_file(in, name)) throw is_an_input(name);
+  const std::string path = create_unique(t.has_parent_path() ? t.parent_path() : fs::path("."), t.filename().string());
+  if (path.empty()) throw cannot_write(name, errno);
+  outputs_.push_back({FileRef(path, name), t.string(), publish(path), rank, Kind::kFile});
   return outputs_.back().file;
 }
 
+FileRef OutputSet::add_stream(Kind kind, const std::string& name, int rank) {
+  const std::string path = create_unique(scratch_directory(), "burnish-stdout");
+  if (path.empty()) throw cannot_write(scratch_directory().string(), errno);
+  outputs_.push_back({FileRef(path, name), name, publish(path), rank, kind});
+  return outputs_.back().file;
+}
+
+void OutputSet::discard(const FileRef& file) {
+  std::erase_if(outputs_, [&](const Output& o) {
+    if (o.file.path != file.path) return false;
+    ::unlink(o.file.path.c_str());
+    withdraw(o.slot);
+    return true;
+  });
+}
+
 void OutputSet::commit() {
-  // Standard output first: a closed pipe is the failure that a rename cannot undo.
-  std::ranges::stable_sort(outputs_, {}, [](const Output& o) { return o.is_stdout ? INT_MIN : o.rank; });
-  for (const Output& o : outputs_) {  // what did not reach the disk is found before anything is replaced
-    const int fd = ::open(o.file.path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (fd < 0) throw cannot_write(o.file.name, errno);
-    struct stat st;
-    const int error = ::fstat(fd, &st) != 0 ? errno : 0;
-    ::close(fd);
-    if (error) throw cannot_write(o.file.name, error);
-  }
+  // Streams first: a closed pipe is the failure that a rename cannot undo.
+  std::ranges::stable_sort(outputs_, {}, [](const Output& o) { return o.kind == Kind::kFile ? o.rank : INT_MIN; });
+  for (const Output& o : outputs_)  // a temporary that is lost is found before anything is replaced
+    if (::access(o.file.path.c_str(), R_OK) != 0) throw cannot_write(o.file.name, errno);
   for (Output& o : outputs_) {
-    if (o.is_stdout) {
-      copy_to_stdout(o.file.path);
+    if (o.kind != Kind::kFile) {
+      copy_to_stream(o.file, o.kind == Kind::kStdout);
       ::unlink(o.file.path.c_str());
-    } else if (::rename(o.file.path.c_str(), o.file.name.c_str()) != 0) {
+    } else if (::rename(o.file.path.c_str(), o.target.c_str()) != 0) {
       throw cannot_write(o.file.name, errno);
     }
     withdraw(o.slot);

@@ -21,11 +21,13 @@ class OutputSet {
 
   // Registers a file that is read, so that no output may take its place. kUsage where one already would.
   void protect(const std::string& input);
-  // Reserves a temporary for the target; "-" is standard output, copied there by commit().
-  // kIo where the directory is missing or not writable or the target is a directory; kUsage where it is an input or is
-  // written twice.
-  FileRef add(const std::string& target, int rank = 0);
-  // Copies what goes to standard output, then renames the others into place. kIo on failure.
+  // Reserves a temporary for the target. "-" is standard output; that, devices and pipes are copied to by commit(). Of
+  // a symbolic link the file it leads to is the target. kIo where the directory is missing or not writable or the
+  // target is a directory; kUsage where it is an input or is written twice.
+  FileRef add(const std::string& name, int rank = 0);
+  // Takes one back.
+  void discard(const FileRef& file);
+  // Copies what goes to streams, then renames the others into place. kIo on failure.
   void commit();
   bool empty() const { return outputs_.empty(); }
 
@@ -33,11 +35,15 @@ class OutputSet {
   static void remove_all_temporaries() noexcept;
 
  private:
+  enum class Kind { kFile, kStdout, kDevice };
   struct Output {
     FileRef file;
+    std::string target;  // where a file goes: its name, or where that leads
     int slot, rank;
-    bool is_stdout;
+    Kind kind;
   };
+  FileRef add_stream(Kind kind, const std::string& name, int rank);
+
   std::vector<Output> outputs_;
   std::vector<std::string> inputs_;
 };

@@ -57,7 +57,7 @@ int find_channel(const ImageReader& reader, const std::string& wanted) {
     return std::stoi(wanted);
   std::string all;
   for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
-  throw file_error(ErrorKind::kUsage, reader.name(), "expected channel " + wanted + ", got " + all);
+  throw file_error(ErrorKind::kMalformed, reader.name(), "expected channel " + wanted + ", got " + all);
 }
 
 // A band of rows with what its texels' neighbourhoods need around it.
@@ -348,6 +348,9 @@ class BandFitter {
       steepest = std::max(steepest, half);
       count++;
     }
+    if (!std::isfinite(sum))
+      throw Error(ErrorKind::kMalformed,
+                  "slopes are too steep for floating point: look at the height, the size and the map");
     band.tilt_sum += sum;
     band.steepest = std::max<double>(band.steepest, steepest);
     band.taking_part += count;

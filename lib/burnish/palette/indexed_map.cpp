@@ -15,8 +15,8 @@ namespace {
 enum class Signature { kPng, kExr, kOther };
 
 Signature signature(const FileRef& file) {
+  require_readable(file);
   std::ifstream in(file.path, std::ios::binary);
-  if (!in) throw file_error(ErrorKind::kIo, file.name, "cannot be read");
   char head[8] = {};
   in.read(head, sizeof head);
   const std::string_view h(head, sizeof head);
@@ -85,17 +85,15 @@ Palette read_palette(const FileRef& file, GreenAxis green) {
 void require_can_hold_levels(const FileRef& file, FileType type, int levels) {
   if (type != FileType::kExr && type != FileType::kPng) unsupported(file, type);
   if (type == FileType::kPng && levels > 1)
-    throw file_error(ErrorKind::kUnsupported, file.name,
-                     "PNG holds one level, not " + std::to_string(levels) +
-                         " (EXR holds all; --split writes one file a level)");
+    throw file_error(
+        ErrorKind::kUnsupported, file.name,
+        "PNG holds one level, not " + std::to_string(levels) + " (EXR holds all; --split writes one file a level)");
 }
 
 void write_indexed_map(const FileRef& file, FileType type, const IndexedMap& map) {
   require_can_hold_levels(file, type, int(map.levels.size()));
-  if (type == FileType::kExr)
-    detail::write_indexed_exr(file, map);
-  else
-    detail::write_indexed_png(file, map);
+  if (type == FileType::kExr) detail::write_indexed_exr(file, map);
+  else detail::write_indexed_png(file, map);
 }
 
 void write_palette(const FileRef& file, FileType type, const Palette& palette) {

@@ -109,7 +109,8 @@ Palette fit_to_target(const Histogram& histogram, const QuantizeOptions& o, cons
     Palette palette;
   };
   const auto measure = [&](int n) {
-    Measured m{n, 0, to_palette(fit(histogram, o.engine, n, {}), histogram.material, o.space)};
+    Measured m{
+        n, 0, to_palette(fit(histogram, o.engine, n, {}), histogram.material, o.space.value_or(NormalSpace::kTangent))};
     m.rms_deg = nearest_angles(histogram, m.palette, entry_ranges(m.palette, histogram.material, "palette")).rms_deg();
     return m;
   };
@@ -285,6 +286,10 @@ QuantizeResult quantize_normal_map(const FileRef& file, const QuantizeOptions& o
   TexelKeys texels(file, options.coding);
   std::optional<Palette> given;
   if (!options.palette.empty()) given = read_palette(options.palette, options.coding.green);
+  if (given && options.space && given->space != *options.space)
+    throw file_error(ErrorKind::kMalformed, options.palette.name,
+                     std::string("expected a palette in ") + burnish::name(*options.space) + " space, got one in " +
+                         burnish::name(given->space) + " space");
   TexelClasses classes;
   if (!options.material.empty()) classes.material = read_ids(options.material, texels.width(), texels.height());
   if (!options.mask.empty()) classes.mask = read_mask(options.mask, texels.width(), texels.height());
@@ -295,7 +300,7 @@ QuantizeResult quantize_normal_map(const FileRef& file, const QuantizeOptions& o
                        : options.target_error_deg
                            ? fit_to_target(histogram, options, part_of(progress, 0.3, 0.8))
                            : to_palette(fit(histogram, options.engine, options.normals, part_of(progress, 0.3, 0.8)),
-                                        histogram.material, options.space);
+                                        histogram.material, options.space.value_or(NormalSpace::kTangent));
   const Palette& palette = result.map.palette;
   const std::vector<EntryRange> ranges =
       entry_ranges(palette, histogram.material, given ? options.palette.name : texels.name());

@@ -24,9 +24,9 @@ struct QuantizeOptions {
   FileRef material;  // one channel, uint8: ids
   FileRef mask;      // texels where it is 0 do not shape the palette and do not count in the figures
   Dither dither = Dither::kNone;
-  double dither_amount = 1;  // [0, 1]
-  NormalSpace space = NormalSpace::kTangent;
-  NormalCoding coding;  // of the input
+  double dither_amount = 1;          // [0, 1]
+  std::optional<NormalSpace> space;  // none: that of a given palette, otherwise tangent
+  NormalCoding coding;               // of the input
 };
 
 struct QuantizeStats {

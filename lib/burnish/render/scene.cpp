@@ -238,9 +238,7 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::str
 
 Scene read_scene(const FileRef& file) {
   namespace fs = std::filesystem;
-  std::error_code ignored;
-  if (fs::is_directory(file.path, ignored))
-    throw file_error(ErrorKind::kIo, file.name, "expected a file, got a directory");
+  require_readable(file);
   std::ifstream in(file.path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in.is_open() || in.bad()) throw file_error(ErrorKind::kIo, file.name, "cannot be read");

@@ -52,6 +52,16 @@ std::optional<double> number_in(const toml::node& node, const NumberRange& range
 }  // namespace
 
 TomlTable TomlTable::parse(std::string_view text, const std::string& name) {
+  // A key of very many parts makes tables so deep that taking them down again overflows the stack; it fills one line.
+  constexpr std::size_t kLongestLine = 10000;
+  for (std::size_t begin = 0, line = 1; begin < text.size(); line++) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end - begin > kLongestLine)
+      throw file_error(
+          ErrorKind::kMalformed, name,
+          "line " + std::to_string(line) + ": expected at most " + std::to_string(kLongestLine) + " characters");
+    begin = end + 1;
+  }
   try {
     auto root = std::make_shared<const toml::table>(toml::parse(text));
     const toml::table* table = root.get();
