@@ -145,11 +145,12 @@ scene() {
   [ "$(value psnr_db r.json)" = None ]
 }
 
-@test "a tolerance that is not met: exit 10, and everything is written" {
+@test "a tolerance that is not met: exit 10, and everything but the depfile is written" {
   scene
   printf '[validate]\nmax_abs = 0.001\n' >>s.toml
-  call burnish-render --validate --path palette s.toml --report-dir v --report r.json
+  call burnish-render --validate --path palette s.toml --report-dir v --report r.json --depfile v.d
   [ "$status" -eq 10 ]
+  [ ! -e v.d ]
   [ "$(wc -l <err)" -eq 1 ]
   grep -q "^burnish-render: error: 's.toml': max_abs: expected at most 0.001, got 0\." err
   [ -s v/report.json ]
