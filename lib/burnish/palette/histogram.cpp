@@ -15,7 +15,6 @@ constexpr std::size_t kMostDistinct = std::size_t(1) << 21;
 constexpr std::size_t kMostBins = std::size_t(1) << 20;
 constexpr int kLanes = 8;  // tables filled side by side; their number is fixed, the threads take them as they come
 constexpr int kBandRows = 128;
-constexpr int kAhead = 12;  // texels between the prefetch of a slot and its use
 
 // Calls body(lane, keys of the row, y) for every row, lanes in parallel, while the next band is read; stops where it
 // returns false.
@@ -78,7 +77,7 @@ bool count_exactly(TexelKeys& texels, const TexelClasses& classes, const Progres
     for (int x = 0; x < w;) {
       const int material = classes.material_at(x, y);
       const bool counts = classes.counts_at(x, y);
-      if (x + kAhead < w) table.prefetch(std::uint64_t(material) << 48 | keys[x + kAhead]);
+      if (x + KeyTable::kAhead < w) table.prefetch(std::uint64_t(material) << 48 | keys[x + KeyTable::kAhead]);
       int end = x + 1;
       while (end < w && keys[end] == keys[x] && classes.material_at(end, y) == material &&
              classes.counts_at(end, y) == counts)

@@ -8,6 +8,8 @@ namespace burnish {
 
 class KeyTable {
  public:
+  static constexpr int kAhead = 12;  // keys to be between a prefetch and the use of its slot
+
   KeyTable() : slots_(1 << 12), shift_(64 - 12) {}
 
   std::size_t size() const { return size_; }

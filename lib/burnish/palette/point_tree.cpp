@@ -113,13 +113,7 @@ struct PointTree::Builder {
     const Sum s = sum_of(range);
     const double l = length(s.sum);
     const Vec3f centre = l > 1e-12 ? Vec3f(s.sum / l) : range[0].normal;
-    float farthest = 0;
-    for (const WeightedNormal& p : range) {
-      const Vec3f d = p.normal - centre;
-      farthest = std::max(farthest, dot(d, d));
-    }
-    node = {begin,   end, -1, -1, {centre.x, centre.y, centre.z}, std::sqrt(farthest), {s.sum.x, s.sum.y, s.sum.z},
-            s.weight};
+    node = {begin, end, -1, -1, {centre.x, centre.y, centre.z}, {s.sum.x, s.sum.y, s.sum.z}, s.weight};
     if (end - begin <= leaf) return at;
     double saved;
     const int cut = begin + cut_in_two(range, &saved);

@@ -1,6 +1,6 @@
-// A tree over weighted points on the sphere: ranges of nearby points with their ball and their sum.
+// A tree over weighted points on the sphere: ranges of nearby points with their sum.
 //
-// The codebook engine starts from its nodes and finds every point's nearest centre with it.
+// The codebook engine takes its first cells from the nodes.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,6 @@ class PointTree {
     int begin, end;   // of points()
     int left, right;  // −1 in a leaf
     float centre[3];  // unit
-    float radius;     // chord from the centre to the farthest point
     double sum[3];    // Σ weight·normal
     double weight;    // Σ weight
   };

@@ -237,12 +237,11 @@ class Mapper {
   }
 
   void map_row(int y, const std::uint64_t* keys, std::uint16_t* out) const {
-    constexpr int kAhead = 12;  // texels between the prefetch of a slot and its use
     std::uint64_t last = ~std::uint64_t(0);
     std::uint16_t entry = 0;
     for (int x = 0; x < texels_.width(); x++) {
       const std::uint64_t material = std::uint64_t(classes_.material_at(x, y)) << 48, key = material | keys[x];
-      if (x + kAhead < texels_.width()) histogram_.table.prefetch(material | keys[x + kAhead]);
+      if (x + KeyTable::kAhead < texels_.width()) histogram_.table.prefetch(material | keys[x + KeyTable::kAhead]);
       if (key != last) entry = nearest_[histogram_.table.at(key)], last = key;
       out[x] = entry;
     }
