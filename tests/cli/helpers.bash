@@ -68,5 +68,12 @@ small_disk() {
   mount -t tmpfs -o size=64k tmpfs "$1" 2>/dev/null || skip "no disk can be mounted here"
 }
 
+# Skips the test unless Node and an npm package are there. Its scripts then say: import { load } from './node_package.mjs'
+needs_node_package() {
+  export BURNISH_NODE_MODULES="${BURNISH_NODE_MODULES:-$BURNISH_SOURCE_DIR/build/node_modules}"
+  command -v node >/dev/null || skip "there is no node"
+  [ -e "$BURNISH_NODE_MODULES/$1" ] || skip "$BURNISH_NODE_MODULES has no $1: scripts/install-packages node"
+}
+
 # A negated command never fails a test: differ A B does.
 differ() { if cmp -s "$1" "$2"; then echo "$1 is $2"; return 1; fi; }
