@@ -62,7 +62,9 @@ int main(int argc, char** argv) {
     if (kind != "indexed")
       throw Error(ErrorKind::kUnsupported, "--kind " + kind + ": only indexed normal maps are provided");
     const FileType type = output.path.empty() ? FileType::kExr : output.type();
-    const FileType split_type = split.empty() ? FileType::kExr : indexed_file_type(level_name(split, 0));
+    const FileType split_type = split.empty() ? FileType::kExr : output.type_of(level_name(split, 0));
+    const bool with_palette = !output.palette_path.empty();
+    const FileType palette_type = with_palette ? output.palette_type() : type;
     const FileRef file = tool.read(input);
     if (!source.empty()) options.source = tool.read(source);
     options.levels = levels;
@@ -73,8 +75,10 @@ int main(int argc, char** argv) {
     if (!chain.empty()) require_can_hold_levels(chain, type, count);
     std::vector<FileRef> parts;
     for (int l = 0; l < count && !split.empty(); l++) parts.push_back(tool.write(level_name(split, l)));
+    const FileRef palette_file = with_palette ? tool.write(output.palette_path) : FileRef();
     const std::vector<MipLevelStats> stats = build_index_mips(map, options, tool.progress());
     if (!chain.empty()) write_indexed_map(chain, type, map);
+    if (!palette_file.empty()) write_palette(palette_file, palette_type, map.palette);
     for (std::size_t l = 0; l < parts.size(); l++)
       write_indexed_map(parts[l], split_type, {map.palette, {map.levels[l]}});
     Json list = Json::array();

@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
              "  burnish-quantize rocks_n.png -n 2048 -o rocks_q.exr\n"
              "  burnish-quantize rocks_n.png --target-error 0.5 --material ids.png -o rocks_q.exr"});
   CLI::App& app = tool.app();
-  std::string input, material, mask, palette, palette_output;
+  std::string input, material, mask, palette;
   IndexedOutput output;
   QuantizeOptions options;
 
@@ -61,8 +61,6 @@ int main(int argc, char** argv) {
       ->excludes(count)
       ->excludes(target)
       ->excludes(engine);
-  app.add_option("--palette-output", palette_output, "Write the palette alone: an N x 1 image, .exr or .png")
-      ->type_name("FILE");
   add_choice<std::optional<NormalSpace>>(
       app, "--space", options.space, {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}},
       "Space of the normals, recorded in the output (default tangent, or the palette's)");
@@ -70,14 +68,14 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&]() -> Json {
     const FileType type = output.type();
-    const bool with_palette = !palette_output.empty();
-    const FileType palette_type = with_palette ? indexed_file_type(palette_output) : type;
+    const bool with_palette = !output.palette_path.empty();
+    const FileType palette_type = with_palette ? output.palette_type() : type;
     const FileRef normals = tool.read(input);
     if (!material.empty()) options.material = tool.read(material);
     if (!mask.empty()) options.mask = tool.read(mask);
     if (!palette.empty()) options.palette = tool.read(palette);
     const FileRef file = tool.write(output.path);
-    const FileRef palette_file = with_palette ? tool.write(palette_output) : FileRef();
+    const FileRef palette_file = with_palette ? tool.write(output.palette_path) : FileRef();
     const QuantizeResult result = quantize_normal_map(normals, options, tool.progress());
     output.require_format(type, result.map.palette.normals.size());
     write_indexed_map(file, type, result.map);

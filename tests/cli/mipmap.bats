@@ -84,7 +84,7 @@ PYTHON
   for pattern in m.png 'm_%s.png' 'm_%d_%d.png' 'm_%' 'm_%d%%.png' 'm_%1234d.png' 'm_%-2d.png'; do
     refuses 1 "--split" burnish-mipmap q.exr --split "$pattern"
   done
-  refuses 5 "EXR or PNG" burnish-mipmap q.exr --split 'm_%d.tif'
+  refuses 5 "EXR, PNG, KTX2 or DDS" burnish-mipmap q.exr --split 'm_%d.tif'
   refuses 1 "is an input" burnish-mipmap m_1.png --split 'm_%d.png'
   refuses 1 "twice" burnish-mipmap q.exr --split 'x_%d.exr' -o x_1.exr
   refuses 2 "'nowhere/x_0.png'" burnish-mipmap q.exr --split 'nowhere/x_%d.png'
@@ -161,8 +161,8 @@ PYTHON
 @test "what cannot be written: exit 5" {
   inputs
   refuses 5 "PNG holds one level" burnish-mipmap q.exr -o x.png
-  for ext in tif tga bmp; do refuses 5 "EXR or PNG" burnish-mipmap q.exr -o x.$ext; done
-  refuses 5 "EXR or PNG" burnish-mipmap q.exr -o - --output-type tiff
+  for ext in tif tga bmp; do refuses 5 "EXR, PNG, KTX2 or DDS" burnish-mipmap q.exr -o x.$ext; done
+  refuses 5 "EXR, PNG, KTX2 or DDS" burnish-mipmap q.exr -o - --output-type tiff
   for d in uint8 uint16 half float; do refuses 5 "not $d" burnish-mipmap q.exr -o x.exr -d $d; done
   refuses 5 "not uint16" burnish-mipmap q.exr --levels 1 -o x.png -d uint16
   succeeds burnish-mipmap q.exr --levels 1 -o x.png -d uint8

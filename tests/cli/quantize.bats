@@ -228,8 +228,8 @@ PYTHON
 
 @test "outputs that cannot be: types, inputs, places" {
   inputs
-  for ext in tif tga bmp; do refuses 5 "EXR or PNG" burnish-quantize n.png -o x.$ext; done
-  refuses 5 "EXR or PNG" burnish-quantize n.png -o - --output-type tiff
+  for ext in tif tga bmp; do refuses 5 "EXR, PNG, KTX2 or DDS" burnish-quantize n.png -o x.$ext; done
+  refuses 5 "EXR, PNG, KTX2 or DDS" burnish-quantize n.png -o - --output-type tiff
   refuses 1 "--output-type" burnish-quantize n.png -o -
   refuses 1 "is an input" burnish-quantize n.png -o n.png
   refuses 1 "is an input" burnish-quantize n.png --material ids.png -o ids.png

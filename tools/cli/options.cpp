@@ -49,10 +49,15 @@ FileType type_of_output(const std::string& path, const std::string& output_type)
   return file_type_of("x." + output_type);
 }
 
-FileType require_indexed(FileType type, const std::string& path) {
-  if (type == FileType::kExr || type == FileType::kPng) return type;
-  throw file_error(ErrorKind::kUnsupported, shown(path),
-                   std::string("an indexed normal map or palette is written as EXR or PNG, not ") + name(type));
+FileType require_indexed(FileType type, const std::string& path, const IndexedOutput& output) {
+  using enum FileType;
+  if (type != kExr && type != kPng && type != kKtx2 && type != kDds)
+    throw file_error(ErrorKind::kUnsupported, shown(path),
+                     std::string("an indexed normal map is written as EXR, PNG, KTX2 or DDS, not ") + name(type));
+  if (type == kDds && output.palette_path.empty())
+    throw file_error(ErrorKind::kUsage, path,
+                     "a DDS holds no palette: --palette-output FILE, an .exr or .png, writes it beside");
+  return type;
 }
 
 }  // namespace
@@ -61,9 +66,25 @@ void ImageOutput::add_to(CLI::App& app) { add_output(app, path, format, output_t
 
 FileType ImageOutput::type() const { return type_of_output(path, output_type); }
 
-void IndexedOutput::add_to(CLI::App& app) { add_output(app, path, format, output_type, "png|exr"); }
+void IndexedOutput::add_to(CLI::App& app) {
+  add_output(app, path, format, output_type, "png|exr");
+  app.add_option("--palette-output", palette_path,
+                 "Write the palette alone: an N x 1 image, .exr or .png. A .dds needs it, for it holds no palette")
+      ->type_name("FILE");
+}
 
-FileType IndexedOutput::type() const { return require_indexed(type_of_output(path, output_type), path); }
+FileType IndexedOutput::type() const { return require_indexed(type_of_output(path, output_type), path, *this); }
+
+FileType IndexedOutput::type_of(const std::string& map_path) const {
+  return require_indexed(file_type_of(map_path), map_path, *this);
+}
+
+FileType IndexedOutput::palette_type() const {
+  const FileType type = file_type_of(palette_path);
+  if (type == FileType::kExr || type == FileType::kPng) return type;
+  throw file_error(ErrorKind::kUnsupported, palette_path,
+                   std::string("a palette is written as EXR or PNG, not ") + name(type));
+}
 
 void IndexedOutput::require_format(FileType type, std::size_t normals) const {
   const std::string stored = type == FileType::kExr ? "uint32" : normals <= 256 ? "uint8" : "uint16";
@@ -72,8 +93,6 @@ void IndexedOutput::require_format(FileType type, std::size_t normals) const {
                      std::string(name(type)) + " holds indices into " + std::to_string(normals) + " normals as " +
                          stored + ", not " + format);
 }
-
-FileType indexed_file_type(const std::string& path) { return require_indexed(file_type_of(path), path); }
 
 SampleType ImageOutput::sample() const {
   SampleType sample = default_sample_type(type());

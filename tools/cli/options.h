@@ -49,16 +49,19 @@ struct ImageOutput {
   SampleType sample() const;
 };
 
-// Of an indexed normal map or a palette: EXR or PNG; kUnsupported for any other name.
-FileType indexed_file_type(const std::string& path);
-
-// -o, -d and --output-type of an indexed normal map.
+// -o, -d and --output-type of an indexed normal map, --palette-output of the palette beside it.
 struct IndexedOutput {
   std::string path, output_type;
-  std::string format;  // checked against what the map is stored as
+  std::string format;        // checked against what the map is stored as
+  std::string palette_path;  // empty: none is written
 
   void add_to(CLI::App& app);
   FileType type() const;
+  // Of a further map that is written, such as one level: EXR, PNG, KTX2 or DDS; kUnsupported for any other name, kUsage
+  // for a DDS without --palette-output.
+  FileType type_of(const std::string& map_path) const;
+  // EXR or PNG; kUnsupported for any other name. Only where there is a palette_path.
+  FileType palette_type() const;
   // What indices are stored as follows from the palette's size and the file's type; -d may only say so. kUnsupported
   // otherwise.
   void require_format(FileType type, std::size_t normals) const;

@@ -35,6 +35,8 @@ const std::vector<FileTypeInfo>& file_types() {
       {FileType::kBmp, "BMP", "bmp", {".bmp"}, kUint8, {kUint8}},
       {FileType::kTiff, "TIFF", "tiff", {".tif", ".tiff"}, kUint16, {kUint8, kUint16, kFloat}},
       {FileType::kExr, "EXR", "openexr", {".exr"}, kHalf, {kHalf, kFloat}},
+      {FileType::kKtx2, "KTX2", "", {".ktx2"}, kUint8, {}},
+      {FileType::kDds, "DDS", "", {".dds"}, kUint8, {}},
   };
   return table;
 }
@@ -76,6 +78,10 @@ std::string codec_from_signature(const FileRef& file) {
   if (h.starts_with("v/1\x01")) return "openexr";
   if (h.starts_with("BM")) return "bmp";
   if (h.starts_with("#?")) return "hdr";
+  if (h.starts_with("\xabKTX 20\xbb") || h.starts_with("DDS "))
+    throw file_error(ErrorKind::kUnsupported, file.name,
+                     std::string("expected an image, got a ") + (h[0] == 'D' ? "DDS" : "KTX2") +
+                         ", which is read as an indexed normal map only");
   if (h[0] == 'P' && ((h[1] >= '1' && h[1] <= '6') || h[1] == 'f' || h[1] == 'F')) return "pnm";
   std::string extension = std::filesystem::path(file.name).extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
@@ -142,8 +148,10 @@ FileType file_type_of(const std::string& file) {
   for (const FileTypeInfo& t : file_types())
     for (const char* e : t.extensions)
       if (extension == e) return t.type;
-  throw file_error(ErrorKind::kUnsupported, file,
-                   "expected an output named .png, .tif, .exr, .tga or .bmp, got '" + extension + "'");
+  throw file_error(
+      ErrorKind::kUnsupported, file,
+      "expected an output named .png, .tif, .exr, .tga or .bmp (.ktx2 or .dds for indexed normal maps), got '" +
+          extension + "'");
 }
 
 SampleType default_sample_type(FileType type) { return info_of(type).default_sample; }
@@ -151,6 +159,8 @@ SampleType default_sample_type(FileType type) { return info_of(type).default_sam
 void require_can_hold(FileType type, SampleType sample, const std::string& file) {
   const FileTypeInfo& t = info_of(type);
   if (std::ranges::find(t.samples, sample) != t.samples.end()) return;
+  if (t.samples.empty())
+    throw file_error(ErrorKind::kUnsupported, file, std::string(t.name) + " is written for indexed normal maps only");
   std::string holds;
   for (SampleType s : t.samples) holds += (holds.empty() ? "" : " or ") + std::string(name(s));
   throw file_error(ErrorKind::kUnsupported, file, std::string(t.name) + " holds " + holds + ", not " + name(sample));

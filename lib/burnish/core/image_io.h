@@ -18,7 +18,8 @@
 namespace burnish {
 
 enum class SampleType { kUint8, kUint16, kHalf, kFloat };
-enum class FileType { kPng, kTga, kBmp, kTiff, kExr };
+// The last two hold indexed normal maps only (palette/indexed_map.h): what reads and writes images here refuses them.
+enum class FileType { kPng, kTga, kBmp, kTiff, kExr, kKtx2, kDds };
 
 // "uint8", "uint16", "half", "float"
 const char* name(SampleType type);
