@@ -1,0 +1,46 @@
+// Where rays meet a mesh, and which of its points is nearest: an acceleration structure over the triangles.
+//
+// Embree (single precision) finds the triangle; where on it follows in double precision. Built and asked on one fixed
+// instruction set and by one thread at a time, so that the answers are the same on every machine. The only user of
+// Embree.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "burnish/mesh/mesh.h"
+
+namespace burnish {
+
+struct RayHit {
+  MeshPoint point;
+  double t = 0;  // position = origin + t · direction
+};
+
+enum class Facing { kEither, kFront };  // kFront: only triangles whose outside the ray meets
+
+class MeshRays {
+ public:
+  // Keeps positions and triangles of its own. Degenerate triangles are never met. kMalformed where a coordinate is
+  // beyond single precision.
+  explicit MeshRays(const Mesh& mesh);
+  ~MeshRays();
+  MeshRays(MeshRays&&) noexcept;
+
+  // The first hit with least ≤ t ≤ most; the direction has any length. Watertight along shared edges. May be called
+  // from many threads.
+  std::optional<RayHit> first_hit(Vec3d origin, Vec3d direction, double least, double most,
+                                  Facing facing = Facing::kEither) const;
+  // The nearest point within `most`; the smallest triangle index of equally near ones.
+  struct Nearest {
+    MeshPoint point;
+    double distance = 0;
+  };
+  std::optional<Nearest> nearest(Vec3d from, double most) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,98 @@
+#include "burnish/mesh/mesh_rays.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace burnish {
+namespace {
+
+// Random triangles around the origin.
+Mesh soup(int count) {
+  std::mt19937 random(7);
+  const auto coordinate = [&] { return double(random() % 20001) / 10000 - 1; };
+  Mesh mesh;
+  for (int i = 0; i < count; i++) {
+    const Vec3d at{coordinate(), coordinate(), coordinate()};
+    for (int c = 0; c < 3; c++) mesh.positions.push_back(at + Vec3d{coordinate(), coordinate(), coordinate()} * 0.3);
+    mesh.triangles.push_back({std::uint32_t(3 * i), std::uint32_t(3 * i + 1), std::uint32_t(3 * i + 2)});
+  }
+  return mesh;
+}
+
+// Möller and Trumbore over all triangles.
+std::optional<RayHit> first_of_all(const Mesh& m, Vec3d o, Vec3d d, double most, Facing facing) {
+  std::optional<RayHit> best;
+  for (std::uint32_t t = 0; t < m.triangles.size(); t++) {
+    const Vec3d a = m.position(t, 0), e1 = m.position(t, 1) - a, e2 = m.position(t, 2) - a, p = cross(d, e2);
+    const double det = dot(e1, p);
+    if (det == 0 || (facing == Facing::kFront && det < 0)) continue;
+    const double u = dot(o - a, p) / det, v = dot(d, cross(o - a, e1)) / det, at = dot(e2, cross(o - a, e1)) / det;
+    if (u < 0 || v < 0 || u + v > 1 || at < 0 || at > most || (best && at >= best->t)) continue;
+    best = RayHit{{t, {1 - u - v, u, v}}, at};
+  }
+  return best;
+}
+
+TEST(MeshRays, FirstHitsAreThoseOfASearchOverAllTriangles) {
+  const Mesh mesh = soup(300);
+  const MeshRays rays(mesh);
+  std::mt19937 random(1);
+  const auto coordinate = [&] { return double(random() % 20001) / 10000 - 1; };
+  int hits = 0;
+  for (int i = 0; i < 3000; i++) {
+    const Vec3d origin = Vec3d{coordinate(), coordinate(), coordinate()} * 2.0,
+                direction = Vec3d{coordinate(), coordinate(), coordinate()} * 3.0;
+    const Facing facing = i % 2 ? Facing::kFront : Facing::kEither;
+    const auto expected = first_of_all(mesh, origin, direction, 0.8, facing);
+    const auto got = rays.first_hit(origin, direction, 0, 0.8, facing);
+    ASSERT_EQ(got.has_value(), expected.has_value()) << i;
+    if (!got) continue;
+    hits++;
+    EXPECT_EQ(got->point.triangle, expected->point.triangle);
+    EXPECT_NEAR(got->t, expected->t, 1e-9);
+    for (int c = 0; c < 3; c++) EXPECT_NEAR(got->point.weight[c], expected->point.weight[c], 1e-6);
+    EXPECT_LT(length(position_at(mesh, got->point) - (origin + direction * got->t)), 1e-9);
+  }
+  EXPECT_GT(hits, 300);
+}
+
+TEST(MeshRays, NearestPointsAreThoseOfADenseSampling) {
+  const Mesh mesh = soup(40);
+  const MeshRays rays(mesh);
+  std::mt19937 random(3);
+  const auto coordinate = [&] { return double(random() % 20001) / 10000 - 1; };
+  for (int i = 0; i < 100; i++) {
+    const Vec3d from = Vec3d{coordinate(), coordinate(), coordinate()} * 2.0;
+    double sampled = 1e9;
+    constexpr int kSteps = 40;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); t++)
+      for (int a = 0; a <= kSteps; a++)
+        for (int b = 0; a + b <= kSteps; b++) {
+          const double u = double(a) / kSteps, v = double(b) / kSteps;
+          sampled = std::min(sampled, length(position_at(mesh, {t, {1 - u - v, u, v}}) - from));
+        }
+    const auto got = rays.nearest(from, 10);
+    ASSERT_TRUE(got);
+    EXPECT_NEAR(length(position_at(mesh, got->point) - from), got->distance, 1e-12);
+    EXPECT_LE(got->distance, sampled + 1e-12);
+    EXPECT_GT(got->distance, sampled - 0.02);
+    EXPECT_FALSE(rays.nearest(from, got->distance * 0.999));
+  }
+}
+
+TEST(MeshRays, NoRayPassesBetweenTrianglesThatShareAnEdge) {
+  Mesh fan;  // twenty triangles around a point
+  fan.positions.push_back({0, 0, 0.2});
+  for (int i = 0; i < 20; i++) fan.positions.push_back({std::cos(i * kPi / 10), std::sin(i * kPi / 10), 0});
+  for (std::uint32_t i = 0; i < 20; i++) fan.triangles.push_back({0, 1 + i, 1 + (i + 1) % 20});
+  const MeshRays rays(fan);
+  for (int i = 0; i < 20; i++)
+    for (int k = 0; k < 50; k++) {
+      const Vec3d on_edge = fan.positions[1 + i] * (k / 51.0);
+      EXPECT_TRUE(rays.first_hit(on_edge + Vec3d{0, 0, 5}, {0, 0, -1}, 0, 100, Facing::kFront)) << i << ' ' << k;
+    }
+}
+
+}  // namespace
+}  // namespace burnish
