@@ -6,6 +6,8 @@
 //   burnish-fixture text FILE                 8-bit samples as a plain PGM or PPM
 //   burnish-fixture same A B [TOLERANCE]      exit 1 and a line where decoded samples differ by more
 //   burnish-fixture digest FILE               an indexed map: sizes, intervals, entries, hashes of indices
+//   burnish-fixture mesh NAME ROWS FILE       one of mesh_patterns.h
+//   burnish-fixture tangents MESH             a line a corner: position, normal, texture coordinates, tangent, sign
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -20,7 +22,10 @@
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
 #include "burnish/core/vec3.h"
+#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/tangent_frames.h"
 #include "burnish/palette/indexed_map.h"
+#include "mesh_patterns.h"
 
 using namespace burnish;
 
@@ -156,6 +161,27 @@ int digest(const std::vector<std::string>& a) {
   return 0;
 }
 
+int mesh(const std::vector<std::string>& a) {
+  write_mesh(a.at(3), mesh_file_type_of(a[3]), named_mesh(a.at(1), std::stoi(a.at(2))));
+  return 0;
+}
+
+int tangents(const std::vector<std::string>& a) {
+  Mesh mesh = read_mesh(a.at(1));
+  require_uvs(mesh, "for tangents");
+  add_smooth_normals(mesh);
+  const TangentFrames frames = tangent_frames(mesh);
+  for (std::size_t t = 0; t < mesh.triangles.size(); t++)
+    for (int c = 0; c < 3; c++) {
+      const Vec3d p = mesh.position(t, c), n = mesh.normal(t, c);
+      const Vec2d uv = mesh.uv(t, c);
+      const auto& [v, sign] = frames[t][c];
+      std::printf("%.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %g\n", p.x, p.y, p.z, n.x, n.y, n.z, uv.x,
+                  uv.y, v.x, v.y, v.z, sign);
+    }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -167,7 +193,9 @@ int main(int argc, char** argv) {
     if (!a.empty() && a[0] == "text") return text(a);
     if (!a.empty() && a[0] == "same") return same(a);
     if (!a.empty() && a[0] == "digest") return digest(a);
-    std::fprintf(stderr, "burnish-fixture: expected make, info, texel, text, same or digest\n");
+    if (!a.empty() && a[0] == "mesh") return mesh(a);
+    if (!a.empty() && a[0] == "tangents") return tangents(a);
+    std::fprintf(stderr, "burnish-fixture: expected make, info, texel, text, same, digest, mesh or tangents\n");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "burnish-fixture: %s\n", error.what());
   }
