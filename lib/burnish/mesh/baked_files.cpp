@@ -1,0 +1,44 @@
+#include "burnish/mesh/baked_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "burnish/core/error.h"
+
+namespace burnish {
+
+void write_baked_normals(const NormalMapTarget& target, int width, int height, const std::vector<Vec3f>& normals) {
+  require_encodable(target.coding, target.sample, target.file.name);
+  ImageWriter writer(target.file, target.type, target.sample, width, height, 3);
+  const bool stored = target.sample == SampleType::kUint8 || target.sample == SampleType::kUint16;
+  std::vector<float> row(std::size_t(width) * 3);  // room for samples of any type
+  for (int y = 0; y < height; y++) {
+    encode_normals(normals.data() + std::size_t(y) * width, width, target.coding, target.sample, row.data());
+    if (stored) writer.write_rows_stored(1, row.data());
+    else writer.write_rows(1, row.data());
+  }
+  writer.close();
+}
+
+void write_displacement(const FileRef& file, FileType type, const Image& displacement) {
+  if (type == FileType::kExr) return write_image(file, type, SampleType::kFloat, displacement);
+  if (type != FileType::kPng && type != FileType::kTiff)
+    throw file_error(ErrorKind::kUnsupported, file.name,
+                     std::string("a displacement map is written as EXR, PNG or TIFF, not ") + name(type));
+  float most = 0;
+  for (const float d : displacement.data) most = std::max(most, std::abs(d));
+  if (most == 0) most = 1;
+  Image stored = displacement;
+  for (float& d : stored.data) d = d / (2 * most) + 0.5f;
+  const nlohmann::ordered_json description{{"burnish:scale", 2 * most}, {"burnish:bias", -most}};
+  write_image(file, type, SampleType::kUint16, stored, {{"ImageDescription", description.dump()}});
+}
+
+void write_mask(const FileRef& file, FileType type, const ByteImage& flags) {
+  Image mask(flags.width, flags.height);
+  std::ranges::transform(flags.data, mask.data.begin(), [](std::uint8_t flag) { return flag ? 1.f : 0.f; });
+  write_image(file, type, default_sample_type(type), mask);
+}
+
+}  // namespace burnish

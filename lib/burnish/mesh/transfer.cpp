@@ -1,0 +1,182 @@
+#include "burnish/mesh/transfer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "burnish/core/error.h"
+#include "burnish/core/parallel.h"
+#include "burnish/mesh/gutter.h"
+#include "burnish/mesh/tangent_frames.h"
+#include "burnish/mesh/transfer_search.h"
+#include "burnish/mesh/uv_raster.h"
+
+namespace burnish {
+namespace {
+
+constexpr int kMostSamples = 16, kMostPadding = 1 << 16;
+
+void require_range(const std::string& what, int value, int least, int most) {
+  if (value < least || value > most)
+    throw Error(ErrorKind::kUsage, what + ": expected " + std::to_string(least) + " to " + std::to_string(most) +
+                                       ", got " + std::to_string(value));
+}
+
+double checked_distance(const std::string& what, double value) {
+  if (!(value >= 0 && std::isfinite(value))) throw Error(ErrorKind::kUsage, what + ": expected a positive number");
+  return value;
+}
+
+TransferReach reach_of(const TransferOptions& options, const Mesh& detailed) {
+  TransferReach reach;
+  reach.max_distance = checked_distance(
+      "max-distance", options.max_distance.value_or(TransferOptions::kMaxDistanceShare * bounds(detailed).diagonal()));
+  reach.cage = checked_distance("cage", options.cage.value_or(reach.max_distance));
+  return reach;
+}
+
+Mesh with_smooth_normals(Mesh mesh) {
+  mesh.normals.clear(), mesh.triangle_normals.clear();
+  add_smooth_normals(mesh);
+  return mesh;
+}
+
+struct RowStats {
+  std::size_t covered = 0, missed = 0, overlapped = 0;
+  double max_distance = 0;
+  RowStats& operator+=(const RowStats& o) {
+    covered += o.covered, missed += o.missed, overlapped += o.overlapped;
+    max_distance = std::max(max_distance, o.max_distance);
+    return *this;
+  }
+};
+
+class Transfer {
+ public:
+  Transfer(const Mesh& coarse, const Mesh& detailed, const TransferOptions& options, TransferMaps& maps)
+      : coarse_(coarse),
+        detailed_(detailed),
+        options_(options),
+        smooth_(with_smooth_normals(coarse)),
+        search_(detailed, reach_of(options, detailed)),
+        raster_(coarse, options.width * options.samples, options.height * options.samples),
+        charts_(uv_charts(coarse)),
+        maps_(maps) {
+    if (options.space == MapSpace::kTangent) frames_ = tangent_frames(coarse);
+  }
+
+  RowStats row(int y) const {
+    const std::size_t n = options_.samples, width = n * options_.width;
+    Places places{std::vector<std::uint32_t>(n * width), std::vector<std::uint8_t>(n * width)};
+    for (std::size_t j = 0; j < n; j++)
+      raster_.row(int(y * n + j), places.triangles.data() + j * width, places.several.data() + j * width);
+    RowStats stats;
+    for (int x = 0; x < options_.width; x++) texel(x, y, places, stats);
+    return stats;
+  }
+
+ private:
+  // Where a row of texels is sampled, row by row.
+  struct Places {
+    std::vector<std::uint32_t> triangles;
+    std::vector<std::uint8_t> several;
+  };
+
+  void texel(int x, int y, const Places& places, RowStats& stats) const {
+    const int n = options_.samples;
+    const auto index = [&](int i, int j) { return (std::size_t(j) * options_.width + x) * n + i; };
+    std::uint32_t first = UvRaster::kNone;
+    bool several = false;
+    for (int j = 0; j < n; j++)
+      for (int i = 0; i < n; i++) {
+        first = std::min(first, places.triangles[index(i, j)]);
+        several = several || places.several[index(i, j)];
+      }
+    if (first == UvRaster::kNone) return;
+
+    Vec3d normal, own;
+    double displacement = 0;
+    int found = 0;
+    for (int j = 0; j < n; j++)
+      for (int i = 0; i < n; i++) {
+        const std::uint32_t t = places.triangles[index(i, j)];
+        if (t == UvRaster::kNone || charts_[t] != charts_[first]) continue;
+        const MeshPoint place = raster_.point(t, x * n + i, y * n + j);
+        own += in_space(place, normal_at(coarse_, place));
+        const Vec3d direction = ray_direction(place);
+        const std::optional<Detail> detail = search_.find(position_at(coarse_, place), direction);
+        if (!detail) continue;
+        normal += in_space(place, normal_at(detailed_, detail->point));
+        displacement += dot(detail->offset, direction);
+        stats.max_distance = std::max(stats.max_distance, length(detail->offset));
+        found++;
+      }
+    const std::size_t at = std::size_t(y) * options_.width + x;
+    stats.covered++;
+    stats.missed += found == 0;
+    stats.overlapped += several;
+    maps_.coverage.data[at] = found ? kFound : kMissed;
+    if (length(normal) < 1e-6) normal = own;  // missed, or opposing normals that cancel out
+    maps_.normals[at] = length(normal) < 1e-6 ? Vec3f{0, 0, 1} : Vec3f(normalized(normal));
+    maps_.displacement.data[at] = found ? float(displacement / found) : 0.f;
+  }
+
+  Vec3d in_space(const MeshPoint& place, Vec3d object) const {
+    if (options_.space == MapSpace::kObject) return object;
+    return frame_at(coarse_, frames_, place).to_tangent(object);
+  }
+
+  Vec3d ray_direction(const MeshPoint& place) const {
+    const Vec3d smooth = normal_at(smooth_, place), face = coarse_.perpendicular(place.triangle);
+    if (options_.rays == RayDirection::kSmooth || !(length(face) > 0)) return smooth;
+    const Vec3d halfway = smooth + normalized(face);
+    return length(halfway) > 1e-6 ? normalized(halfway) : smooth;
+  }
+
+  const Mesh &coarse_, &detailed_;
+  const TransferOptions& options_;
+  const Mesh smooth_;
+  const DetailSearch search_;
+  const UvRaster raster_;
+  const std::vector<std::uint32_t> charts_;
+  TangentFrames frames_;
+  TransferMaps& maps_;
+};
+
+}  // namespace
+
+TransferMaps transfer_detail(Mesh coarse, Mesh detailed, const TransferOptions& options, const Progress& progress) {
+  require_range("samples", options.samples, 1, kMostSamples);
+  require_range("padding", options.padding, 0, kMostPadding);
+  const int most = UvRaster::kMostTexels / options.samples;
+  require_range("size", options.width, 1, most), require_range("size", options.height, 1, most);
+  require_uvs(coarse, "which place the detail in a map (burnish-simplify --atlas makes some)");
+  require_atlas(coarse);
+  add_smooth_normals(coarse), add_smooth_normals(detailed);
+
+  TransferMaps maps;
+  maps.width = options.width, maps.height = options.height;
+  maps.coverage = ByteImage(maps.width, maps.height);
+  maps.normals.assign(maps.coverage.texels(), {0, 0, 1});
+  maps.displacement = Image(maps.width, maps.height);
+  const Transfer transfer(coarse, detailed, options, maps);
+  RowStats stats;
+  constexpr int kBand = 64;
+  for (int y = 0; y < maps.height; y += kBand) {
+    stats += parallel_sum<RowStats>(std::min(kBand, maps.height - y), 1,
+                                    [&](std::size_t row, std::size_t) { return transfer.row(y + int(row)); });
+    report_progress(progress, double(std::min(y + kBand, maps.height)) / maps.height);
+  }
+  maps.covered_texels = stats.covered, maps.missed_texels = stats.missed;
+  maps.overlapped_texels = stats.overlapped, maps.max_distance = stats.max_distance;
+  if (stats.covered == 0)
+    throw file_error(ErrorKind::kMalformed, coarse.name,
+                     "expected triangles with area in the map, got none that covers a texel of " +
+                         std::to_string(maps.width) + "x" + std::to_string(maps.height));
+  const std::vector<std::uint32_t> sources = gutter_sources(maps.coverage, options.padding);
+  fill_gutter(sources, maps.normals);
+  fill_gutter(sources, maps.displacement.data);
+  return maps;
+}
+
+}  // namespace burnish

@@ -1,0 +1,43 @@
+// Which point of a detailed mesh belongs to a point of a coarse one.
+//
+// Along a direction near the coarse mesh's normal, outwards up to `cage` and inwards up to `max_distance`, the nearest
+// hit on a triangle that faces the same half-space. Triangles that face the other way are the far sides of thin walls
+// and are passed over. Where no ray hits, as at rims, the nearest point within `max_distance` whose shading normal
+// passes the same test.
+#pragma once
+
+#include <optional>
+
+#include "burnish/mesh/mesh_rays.h"
+
+namespace burnish {
+
+struct TransferReach {
+  double max_distance = 0;
+  double cage = 0;
+};
+
+struct Detail {
+  MeshPoint point;  // of the detailed mesh
+  Vec3d offset;     // from the place of the search to it
+};
+
+class DetailSearch {
+ public:
+  // The detailed mesh has normals and is kept by reference.
+  DetailSearch(const Mesh& detailed, const TransferReach& reach);
+
+  // `direction` is of unit length and points outwards. May be called from many threads.
+  std::optional<Detail> find(Vec3d position, Vec3d direction) const;
+
+ private:
+  // The distance along `ray`, which is `direction` or its opposite; negative by rounding where the surfaces touch.
+  std::optional<RayHit> facing_hit(Vec3d position, Vec3d ray, Vec3d direction, double most) const;
+
+  const Mesh& mesh_;
+  MeshRays rays_;
+  TransferReach reach_;
+  double touch_;  // what counts as no distance
+};
+
+}  // namespace burnish
