@@ -11,6 +11,8 @@ namespace burnish::detail {
 // What the formats carry as text beside the indices, and its checks.
 std::string materials_to_json(const std::vector<MaterialInterval>& materials);
 std::vector<MaterialInterval> materials_from_json(const std::string& json, const std::string& file_name);
+// Text of a file as a message shows it: the start, without control characters.
+std::string excerpt(std::string text);
 NormalSpace space_from_name(const std::string& text, const std::string& file_name);
 // kMalformed where no codec could unpack so many samples from the file: a few bytes must not make us ask for gigabytes.
 void require_room_for(const FileRef& file, std::int64_t width, std::int64_t height, std::int64_t bits);
@@ -18,6 +20,8 @@ void require_room_for(const FileRef& file, std::int64_t width, std::int64_t heig
 // Normals that are not unit to 1e-4 are made so.
 void validate(Palette& palette, const std::string& file_name);
 void validate(IndexedMap& map, const std::string& file_name);
+
+// Readers of maps leave it to their caller to validate the indices.
 
 // PNG: up to 256 entries as colour type 3, more as 16-bit grey; everything else in an iTXt chunk `burnish`.
 bool is_indexed_png(const FileRef& file);
@@ -34,5 +38,17 @@ void write_indexed_exr(const FileRef& file, const IndexedMap& map);
 // N×1 float RGB with the same attributes.
 std::optional<Palette> read_palette_exr(const FileRef& file);
 void write_palette_exr(const FileRef& file, const Palette& palette);
+
+// KTX2: VK_FORMAT_R8_UINT or R16_UINT, palette and intervals as key/value data. What is read has no normals where the
+// file holds no palette. kUnsupported for other formats, arrays, cubes, volumes, supercompression.
+bool is_indexed_ktx2(const FileRef& file);
+IndexedMap read_indexed_ktx2(const FileRef& file);
+void write_indexed_ktx2(const FileRef& file, const IndexedMap& map);
+
+// DDS: DXGI_FORMAT_R8_UINT or R16_UINT, indices only: what is read has no normals. kUnsupported
+// for other formats, arrays, cubes, volumes.
+bool is_indexed_dds(const FileRef& file);
+IndexedMap read_indexed_dds(const FileRef& file);
+void write_indexed_dds(const FileRef& file, const IndexedMap& map);
 
 }  // namespace burnish::detail

@@ -1,6 +1,7 @@
 #include "burnish/palette/indexed_map.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -12,20 +13,28 @@
 namespace burnish {
 namespace {
 
-enum class Signature { kPng, kExr, kOther };
+enum class Signature { kPng, kExr, kKtx2, kDds, kOther };
 
 Signature signature(const FileRef& file) {
   require_readable(file);
   std::ifstream in(file.path, std::ios::binary);
-  char head[8] = {};
+  char head[12] = {};
   in.read(head, sizeof head);
   const std::string_view h(head, sizeof head);
-  return h == "\x89PNG\r\n\x1a\n" ? Signature::kPng : h.starts_with("v/1\x01") ? Signature::kExr : Signature::kOther;
+  if (h.starts_with("\x89PNG\r\n\x1a\n")) return Signature::kPng;
+  if (h.starts_with("v/1\x01")) return Signature::kExr;
+  if (h == "\xabKTX 20\xbb\r\n\x1a\n") return Signature::kKtx2;
+  if (h.starts_with("DDS ")) return Signature::kDds;
+  return Signature::kOther;
 }
 
-[[noreturn]] void unsupported(const FileRef& file, FileType type) {
-  throw file_error(ErrorKind::kUnsupported, file.name,
-                   std::string("an indexed normal map is written as EXR or PNG, not ") + name(type));
+// By a file that is one; none where it is none, or no file that can be.
+std::optional<IndexedMap> read_any(const FileRef& file, Signature s, GreenAxis green) {
+  if (s == Signature::kPng && detail::is_indexed_png(file)) return detail::read_indexed_png(file, green);
+  if (s == Signature::kExr && detail::is_indexed_exr(file)) return detail::read_indexed_exr(file);
+  if (s == Signature::kKtx2) return detail::read_indexed_ktx2(file);
+  if (s == Signature::kDds) return detail::read_indexed_dds(file);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -44,26 +53,44 @@ bool is_indexed_map(const FileRef& file) {
       return detail::is_indexed_png(file);
     case Signature::kExr:
       return detail::is_indexed_exr(file);
+    case Signature::kKtx2:
+      return detail::is_indexed_ktx2(file);
+    case Signature::kDds:
+      return detail::is_indexed_dds(file);
     default:
       return false;
   }
 }
 
-IndexedMap read_indexed_map(const FileRef& file, GreenAxis green) {
-  const Signature s = signature(file);
-  if (s == Signature::kPng && detail::is_indexed_png(file)) return detail::read_indexed_png(file, green);
-  if (s == Signature::kExr && detail::is_indexed_exr(file)) return detail::read_indexed_exr(file);
-  ImageReader reader(file);  // damaged, missing and foreign files say what they are
-  throw file_error(ErrorKind::kMalformed, file.name,
-                   "expected an indexed normal map (EXR with a channel 'index', or PNG with a palette), got " +
-                       std::to_string(reader.channels()) + (reader.channels() == 1 ? " channel" : " channels") +
-                       " of " + name(reader.sample_type()));
+IndexedMap read_indexed_map(const FileRef& file, GreenAxis green, const FileRef& palette) {
+  std::optional<IndexedMap> map = read_any(file, signature(file), green);
+  if (!map) {
+    ImageReader reader(file);  // damaged, missing and foreign files say what they are
+    throw file_error(
+        ErrorKind::kMalformed, file.name,
+        "expected an indexed normal map (EXR with a channel 'index', PNG with a palette, KTX2 or DDS), got " +
+            std::to_string(reader.channels()) + (reader.channels() == 1 ? " channel" : " channels") + " of " +
+            name(reader.sample_type()));
+  }
+  const bool own = !map->palette.normals.empty();
+  if (own && !palette.empty())
+    throw file_error(ErrorKind::kUsage, file.name, "holds its own palette, and cannot be read with another");
+  if (!own && palette.empty())
+    throw file_error(ErrorKind::kUsage, file.name,
+                     "holds indices only: the palette beside it must be named (--palette)");
+  if (!own) map->palette = read_palette(palette, green);
+  detail::validate(*map, file.name);
+  return *std::move(map);
 }
 
 Palette read_palette(const FileRef& file, GreenAxis green) {
   const Signature s = signature(file);
-  if (s == Signature::kPng && detail::is_indexed_png(file)) return detail::read_indexed_png(file, green).palette;
-  if (s == Signature::kExr && detail::is_indexed_exr(file)) return detail::read_indexed_exr(file).palette;
+  if (std::optional<IndexedMap> map = read_any(file, s, green)) {
+    if (map->palette.normals.empty())
+      throw file_error(ErrorKind::kMalformed, file.name, "expected a palette, got a map that holds indices only");
+    detail::validate(*map, file.name);
+    return std::move(map->palette);
+  }
   std::optional<Palette> own;
   if (s == Signature::kPng) own = detail::read_palette_png(file);
   if (s == Signature::kExr) own = detail::read_palette_exr(file);
@@ -83,17 +110,22 @@ Palette read_palette(const FileRef& file, GreenAxis green) {
 }
 
 void require_can_hold_levels(const FileRef& file, FileType type, int levels) {
-  if (type != FileType::kExr && type != FileType::kPng) unsupported(file, type);
-  if (type == FileType::kPng && levels > 1)
-    throw file_error(
-        ErrorKind::kUnsupported, file.name,
-        "PNG holds one level, not " + std::to_string(levels) + " (EXR holds all; --split writes one file a level)");
+  using enum FileType;
+  if (type != kExr && type != kPng && type != kKtx2 && type != kDds)
+    throw file_error(ErrorKind::kUnsupported, file.name,
+                     std::string("an indexed normal map is written as EXR, PNG, KTX2 or DDS, not ") + name(type));
+  if (type == kPng && levels > 1)
+    throw file_error(ErrorKind::kUnsupported, file.name,
+                     "PNG holds one level, not " + std::to_string(levels) +
+                         " (EXR, KTX2 and DDS hold all; --split writes one file a level)");
 }
 
 void write_indexed_map(const FileRef& file, FileType type, const IndexedMap& map) {
   require_can_hold_levels(file, type, int(map.levels.size()));
   if (type == FileType::kExr) detail::write_indexed_exr(file, map);
-  else detail::write_indexed_png(file, map);
+  else if (type == FileType::kPng) detail::write_indexed_png(file, map);
+  else if (type == FileType::kKtx2) detail::write_indexed_ktx2(file, map);
+  else detail::write_indexed_dds(file, map);
 }
 
 void write_palette(const FileRef& file, FileType type, const Palette& palette) {
@@ -130,10 +162,18 @@ std::vector<MaterialInterval> materials_from_json(const std::string& text, const
   return out;
 }
 
+std::string excerpt(std::string text) {
+  text.resize(std::min<std::size_t>(text.size(), 32));
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return std::iscntrl(c); }, '?');
+  return text;
+}
+
 NormalSpace space_from_name(const std::string& text, const std::string& file_name) {
   if (text == "tangent") return NormalSpace::kTangent;
   if (text == "object") return NormalSpace::kObject;
-  throw file_error(ErrorKind::kMalformed, file_name, "expected burnish:space tangent or object, got '" + text + "'");
+  throw file_error(ErrorKind::kMalformed, file_name,
+                   "expected burnish:space tangent or object, got '" + excerpt(text) + "'");
 }
 
 void require_room_for(const FileRef& file, std::int64_t width, std::int64_t height, std::int64_t bits) {

@@ -43,23 +43,26 @@ struct IndexedMap {
   int height() const { return levels[0].height; }
 };
 
-// Whether a file is an indexed normal map: an EXR with a channel `index`, or a PNG with a palette or our text chunk.
+// Whether a file is an indexed normal map: an EXR with a channel `index`, a PNG with a palette or our text chunk, a
+// KTX2 or DDS of unsigned integers.
 bool is_indexed_map(const FileRef& file);
 
-// Reads what write_indexed_map writes, and foreign PNGs with a palette (normals stored biased in PLTE, one material;
-// `green` tells which way their y points). kMalformed where an index is beyond the palette, an interval is wrong, a
-// level has the wrong size or a normal no length.
-IndexedMap read_indexed_map(const FileRef& file, GreenAxis green = GreenAxis::kUp);
+// Reads what write_indexed_map writes, foreign PNGs with a palette (normals stored biased in PLTE, one material;
+// `green` tells which way their y points), and foreign KTX2 and DDS of one channel of 8 or 16 bit unsigned integers.
+// Files that hold indices only, as every DDS does, need `palette`, which is read as read_palette does: kUsage without
+// it, and where it is given for a file with a palette of its own. kMalformed where an index is beyond the palette, an
+// interval is wrong, a level has the wrong size or a normal no length.
+IndexedMap read_indexed_map(const FileRef& file, GreenAxis green = GreenAxis::kUp, const FileRef& palette = {});
 
 // The palette alone: of an indexed map, of a file written by write_palette, or of any image N×1 of normals stored as
 // its type says (one material; `green` tells which way its y points).
 Palette read_palette(const FileRef& file, GreenAxis green = GreenAxis::kUp);
 
-// PNG holds one level, EXR any chain: kUnsupported otherwise, and for other types.
+// PNG holds one level; EXR, KTX2 and DDS a chain: kUnsupported otherwise, and for other types.
 void require_can_hold_levels(const FileRef& file, FileType type, int levels);
 
-// EXR holds all levels, PNG one: kUnsupported for a chain in a PNG and for other types. The same map gives the same
-// bytes.
+// PNG holds one level, EXR one or all, KTX2 and DDS any number: kUnsupported otherwise, and for other types. A DDS does
+// not hold the palette: write_palette puts it beside. The same map gives the same bytes.
 void write_indexed_map(const FileRef& file, FileType type, const IndexedMap& map);
 // An N×1 image of the normals with the intervals beside them: EXR (float) or PNG (8-bit, exact values in its text).
 void write_palette(const FileRef& file, FileType type, const Palette& palette);

@@ -189,7 +189,6 @@ IndexedMap read_indexed_png(const FileRef& file, GreenAxis green) {
     for (int y = 0; y < level.height; y++)
       for (int x = 0; x < level.width; x++)
         level.row(y)[x] = depth == 16 ? reinterpret_cast<const std::uint16_t*>(rows[y])[x] : rows[y][x];
-    validate(map, file.name);
     return map;
   });
 }

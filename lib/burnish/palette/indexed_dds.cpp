@@ -1,0 +1,128 @@
+// Levels of indices in DDS (Microsoft, "Programming Guide for DDS"): DDS_HEADER, then DDS_HEADER_DXT10, then the levels
+// from the base up. It has no place for a palette.
+#include <algorithm>
+#include <cctype>
+
+#include "burnish/core/error.h"
+#include "burnish/core/mip.h"
+#include "burnish/palette/indexed_files.h"
+#include "burnish/palette/texture_container.h"
+#include "burnish/palette/texture_format_names.h"
+
+namespace burnish::detail {
+namespace {
+
+constexpr std::uint32_t kR8Uint = 62, kR16Uint = 57;  // of DXGI_FORMAT
+constexpr std::uint32_t kTexture2d = 3;               // of D3D10_RESOURCE_DIMENSION
+constexpr std::uint32_t kHeaderBytes = 124, kPixelFormatBytes = 32, kFourCC = 0x4;
+constexpr std::size_t kTexelsAt = 148;
+
+// Offsets from the start of the file.
+enum Field : std::size_t {
+  kSize = 4,
+  kHeight = 12,
+  kWidth = 16,
+  kLevels = 28,
+  kPixelFormatSize = 76,
+  kPixelFormatFlags = 80,
+  kPixelFormatFourCC = 84,
+  kPixelFormatBits = 88,
+  kCaps2 = 112,
+  kFormat = 128,
+  kDimension = 132,
+  kMiscFlags = 136,
+  kArraySize = 140
+};
+
+struct Header {
+  std::uint32_t width, height, levels, format;
+};
+
+std::string legacy_format_name(std::string_view head) {
+  if (!(u32_at(head, kPixelFormatFlags) & kFourCC))
+    return std::to_string(u32_at(head, kPixelFormatBits)) + " bits a texel and no DX10 header";
+  const std::string_view four = head.substr(kPixelFormatFourCC, 4);
+  if (std::ranges::all_of(four, [](unsigned char c) { return std::isprint(c); }))
+    return "FourCC '" + std::string(four) + "'";
+  return "D3DFORMAT " + std::to_string(u32_at(head, kPixelFormatFourCC));
+}
+
+// kUnsupported for other formats and shapes.
+Header read_header(ContainerReader& in, const FileRef& file) {
+  const auto refuse = [&](const std::string& expected, const std::string& got) {
+    return file_error(ErrorKind::kUnsupported, file.name, "expected " + expected + ", got " + got);
+  };
+  constexpr const char* kIndices = "indices as DXGI_FORMAT_R8_UINT or DXGI_FORMAT_R16_UINT";
+  std::string head = in.read(0, 4 + kHeaderBytes, "the header of a DDS");
+  if (u32_at(head, kSize) != kHeaderBytes || u32_at(head, kPixelFormatSize) != kPixelFormatBytes)
+    throw file_error(ErrorKind::kMalformed, file.name, "expected the header of a DDS, got a damaged one");
+  if (!(u32_at(head, kPixelFormatFlags) & kFourCC) || head.substr(kPixelFormatFourCC, 4) != "DX10")
+    throw refuse(kIndices, legacy_format_name(head));
+  head = in.read(0, kTexelsAt, "the header of a DDS");
+  const std::uint32_t format = u32_at(head, kFormat);
+  if (format != kR8Uint && format != kR16Uint) throw refuse(kIndices, dxgi_format_name(format));
+  constexpr std::uint32_t kCubeOrVolume = 0x200 | 0x200000, kCube = 0x4;
+  if (u32_at(head, kDimension) != kTexture2d || u32_at(head, kCaps2) & kCubeOrVolume ||
+      u32_at(head, kMiscFlags) & kCube)
+    throw refuse("a flat texture", "a cube, volume or line");
+  if (const std::uint32_t n = u32_at(head, kArraySize); n != 1)
+    throw refuse("one texture", "an array of " + std::to_string(n));
+  return {u32_at(head, kWidth), u32_at(head, kHeight), std::max(u32_at(head, kLevels), 1u), format};
+}
+
+}  // namespace
+
+bool is_indexed_dds(const FileRef& file) {
+  ContainerReader in(file);
+  try {
+    read_header(in, file);
+    return true;
+  } catch (const Error&) {
+    return false;  // whoever reads it says what is wrong
+  }
+}
+
+IndexedMap read_indexed_dds(const FileRef& file) {
+  ContainerReader in(file);
+  const Header h = read_header(in, file);
+  require_sane_levels(file, h.width, h.height, h.levels);
+  const int bytes = h.format == kR8Uint ? 1 : 2;
+  IndexedMap map;
+  std::uint64_t at = kTexelsAt;
+  int width = int(h.width), height = int(h.height);
+  for (std::uint32_t l = 0; l < h.levels; l++) {
+    map.levels.push_back(in.read_texels(at, width, height, bytes));
+    at += std::uint64_t(width) * height * bytes;
+    width = next_level_size(width), height = next_level_size(height);
+  }
+  return map;
+}
+
+void write_indexed_dds(const FileRef& file, const IndexedMap& map) {
+  constexpr std::uint32_t kCapsField = 0x1, kHeightField = 0x2, kWidthField = 0x4, kPitchField = 0x8,
+                          kPixelFormatField = 0x1000, kLevelsField = 0x20000;
+  constexpr std::uint32_t kComplex = 0x8, kTexture = 0x1000, kMipmap = 0x400000;
+  const int bytes = bytes_per_index(map.palette.normals.size());
+  const std::uint32_t levels = std::uint32_t(map.levels.size());
+
+  std::string head = "DDS ";
+  for (const std::uint32_t word :
+       {kHeaderBytes, kCapsField | kHeightField | kWidthField | kPitchField | kPixelFormatField | kLevelsField,
+        std::uint32_t(map.height()), std::uint32_t(map.width()), std::uint32_t(map.width() * bytes), 0u, levels})
+    append_u32(head, word);
+  head.resize(kPixelFormatSize);  // reserved words
+  append_u32(head, kPixelFormatBytes);
+  append_u32(head, kFourCC);
+  head += "DX10";
+  head.resize(kCaps2 - 4);  // masks of formats without a DX10 header
+  append_u32(head, kTexture | (levels > 1 ? kComplex | kMipmap : 0));
+  head.resize(kFormat);
+  for (const std::uint32_t word : {bytes == 1 ? kR8Uint : kR16Uint, kTexture2d, 0u, 1u, 0u}) append_u32(head, word);
+
+  ContainerWriter out(file);
+  out.write(head);
+  for (const IndexImage& level : map.levels) out.write_texels(level, bytes);
+  out.close();
+}
+
+}  // namespace burnish::detail
