@@ -31,14 +31,17 @@ int main(int argc, char** argv) {
   Tool tool({"burnish-mipmap",
              "The mip chain of an indexed normal map: each coarser texel is the best entry for those below it.",
              "  burnish-mipmap rocks_q.exr -o rocks_m.exr\n"
+             "  burnish-mipmap rocks_q.exr -o rocks_m.dds --palette-output rocks_p.exr\n"
              "  burnish-mipmap rocks_q.png --split 'rocks_%d.png' --source rocks_n.png"});
   CLI::App& app = tool.app();
-  std::string input, source, split, kind = "indexed";
+  std::string input, palette, source, split, kind = "indexed";
   IndexedOutput output;
   IndexMipOptions options;
   int levels = 0;
 
   app.add_option("MAP", input, "Indexed normal map; '-' is standard input")->required();
+  app.add_option("--palette", palette, "The palette of a MAP that holds indices only, as every DDS does")
+      ->type_name("FILE");
   output.add_to(app);
   app.get_option("--output")->required(false);
   app.add_option("--kind", kind, "What MAP is; default: told from the file")
@@ -66,10 +69,11 @@ int main(int argc, char** argv) {
     const bool with_palette = !output.palette_path.empty();
     const FileType palette_type = with_palette ? output.palette_type() : type;
     const FileRef file = tool.read(input);
+    const FileRef palette_beside = palette.empty() ? FileRef() : tool.read(palette);
     if (!source.empty()) options.source = tool.read(source);
     options.levels = levels;
     const FileRef chain = output.path.empty() ? FileRef() : tool.write(output.path);
-    IndexedMap map = read_indexed_map(file, options.coding.green);
+    IndexedMap map = read_indexed_map(file, options.coding.green, palette_beside);
     output.require_format(type, map.palette.normals.size());
     const int count = levels ? levels : level_count(map.width(), map.height());
     if (!chain.empty()) require_can_hold_levels(chain, type, count);
