@@ -6,13 +6,13 @@
 #include <ImfStringAttribute.h>
 #include <gtest/gtest.h>
 #include <png.h>
-#include <sys/resource.h>
 
 #include <cstring>
 
 #include "burnish/palette/index_mips.h"
 #include "burnish/palette/indexed_map.h"
 #include "expect_error.h"
+#include "indexed_map_checks.h"
 #include "palette_fixture.h"
 #include "scratch_dir.h"
 
@@ -20,24 +20,13 @@ namespace burnish {
 namespace {
 
 using testing::bytes_of;
+using testing::expect_same;
+using testing::expect_survival;
+using testing::peak_mib;
 using testing::Random;
 using testing::random_map;
 using testing::ScratchDir;
 using testing::write_bytes;
-
-void expect_same(const IndexedMap& a, const IndexedMap& b) {
-  ASSERT_EQ(a.palette.normals.size(), b.palette.normals.size());
-  EXPECT_EQ(0,
-            std::memcmp(a.palette.normals.data(), b.palette.normals.data(), a.palette.normals.size() * sizeof(Vec3f)));
-  EXPECT_EQ(a.palette.materials, b.palette.materials);
-  EXPECT_EQ(a.palette.space, b.palette.space);
-  ASSERT_EQ(a.levels.size(), b.levels.size());
-  for (std::size_t l = 0; l < a.levels.size(); l++) {
-    EXPECT_EQ(a.levels[l].width, b.levels[l].width);
-    EXPECT_EQ(a.levels[l].height, b.levels[l].height);
-    EXPECT_EQ(a.levels[l].data, b.levels[l].data) << "level " << l;
-  }
-}
 
 TEST(PaletteIndexedMap, ComesBackAsItWentIn) {
   const ScratchDir dir;
@@ -98,9 +87,10 @@ TEST(PaletteIndexedMap, OtherTypesAreNotProvided) {
   const ScratchDir dir;
   const IndexedMap map = random_map(4, 4, 4, 1);
   for (const FileType type : {FileType::kTiff, FileType::kTga, FileType::kBmp}) {
-    EXPECT_ERROR(write_indexed_map(dir / "x", type, map), ErrorKind::kUnsupported, "EXR or PNG");
-    EXPECT_ERROR(write_palette(dir / "x", type, map.palette), ErrorKind::kUnsupported, "EXR or PNG");
+    EXPECT_ERROR(write_indexed_map(dir / "x", type, map), ErrorKind::kUnsupported, "EXR, PNG, KTX2 or DDS");
   }
+  for (const FileType type : {FileType::kTiff, FileType::kTga, FileType::kBmp, FileType::kKtx2, FileType::kDds})
+    EXPECT_ERROR(write_palette(dir / "x", type, map.palette), ErrorKind::kUnsupported, "EXR or PNG");
 }
 
 // A PNG of colour type 3 as any other program writes it.
@@ -342,23 +332,6 @@ TEST(PaletteMalformed, AttributesOfExr) {
   refused(raw);
 }
 
-// No reader may crash, hang or throw anything else, whatever the bytes.
-void expect_survival(const std::string& path) {
-  const auto survives = [&](const auto& read, const char* what) {
-    try {
-      read();
-    } catch (const Error& e) {
-      EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
-      return;
-    } catch (const std::exception& e) {
-      ADD_FAILURE() << what << " threw something else: " << e.what();
-    }
-  };
-  survives([&] { is_indexed_map(path); }, "is_indexed_map");
-  survives([&] { read_indexed_map(path); }, "read_indexed_map");
-  survives([&] { read_palette(path); }, "read_palette");
-}
-
 TEST(PaletteMalformed, TruncatedAndDamagedFiles) {
   const ScratchDir dir;
   IndexedMap chain = random_map(100, 70, 40, 2), large = random_map(40, 30, 400, 1);
@@ -404,12 +377,6 @@ void append_chunk(std::string& png, const std::string& type, const std::string& 
     for (int bit = 0; bit < 8; bit++) crc = crc & 1 ? 0xedb88320u ^ crc >> 1 : crc >> 1;
   }
   number(~crc);
-}
-
-long peak_mib() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss / 1024;
 }
 
 TEST(PaletteMalformed, AHugeSizeInASmallFileAsksForNoMemory) {
