@@ -1,0 +1,117 @@
+// burnish-transfer: detail of a mesh into maps over the texture coordinates of a coarser one.
+#include "burnish/mesh/transfer.h"
+
+#include <charconv>
+
+#include "burnish/core/error.h"
+#include "burnish/mesh/baked_files.h"
+#include "burnish/mesh/mesh_io.h"
+#include "cli/options.h"
+#include "cli/tool.h"
+
+using namespace burnish;
+using namespace burnish::cli;
+
+namespace {
+
+int parse_texels(const std::string& part, const std::string& text) {
+  int n = 0;
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), n);
+  if (error != std::errc() || end != part.data() + part.size() || n < 1)
+    throw CLI::ValidationError("--size", "expected texels such as 1024 or 1024x512, got '" + text + "'");
+  return n;
+}
+
+void parse_size(const std::string& text, TransferOptions& options) {
+  const std::size_t x = text.find('x');
+  options.width = parse_texels(text.substr(0, x), text);
+  options.height = x == std::string::npos ? options.width : parse_texels(text.substr(x + 1), text);
+}
+
+std::string percent(std::size_t part, std::size_t whole) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.2g %%", 100.0 * double(part) / double(whole));
+  return text;
+}
+
+// An optional file of the kind that its name says.
+struct ExtraOutput {
+  std::string path;
+  FileType type = FileType::kPng;
+  FileRef file;
+
+  void reserve(Tool& tool) {
+    if (path.empty()) return;
+    type = file_type_of(path);
+    file = tool.write(path);
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tool tool({"burnish-transfer", "Detail of a mesh into maps over the texture coordinates of a coarser one.",
+             "  burnish-transfer bunny_250.obj bunny.ply -o bunny_n.png --size 1024 --mask-output bunny_m.png"});
+  CLI::App& app = tool.app();
+  std::string low, high;
+  ImageOutput output;
+  TransferOptions options;
+  NormalCoding coding;
+  ExtraOutput displacement, mask;
+
+  app.add_option("LOW", low, "Coarse mesh, with texture coordinates in [0,1]: .obj, .ply, .off")->required();
+  app.add_option("HIGH", high, "Detailed mesh at the same place: .obj, .ply, .off, .stl")->required();
+  output.add_to(app);
+  app.add_option_function<std::string>(
+         "--size", [&](const std::string& t) { parse_size(t, options); }, "Texels of the maps (default 1024x1024)")
+      ->type_name("W[xH]");
+  add_choice<MapSpace>(app, "--space", options.space, {{"object", MapSpace::kObject}, {"tangent", MapSpace::kTangent}},
+                       "Space of the normals (default object; tangent: MikkTSpace frames of LOW)");
+  app.add_option("--max-distance", options.max_distance,
+                 "How far from LOW detail may lie, in its units (default 10 % of HIGH's diagonal)")
+      ->type_name("D");
+  app.add_option("--cage", options.cage, "The same, outwards only (default as --max-distance)")->type_name("D");
+  add_choice<RayDirection>(
+      app, "--rays", options.rays, {{"smooth", RayDirection::kSmooth}, {"halfway", RayDirection::kHalfway}},
+      "Search along LOW's smooth normals (default), or halfway to each face's own: less parallax, steps at edges");
+  app.add_option("--samples", options.samples, "NxN samples a texel, averaged (default 2)")
+      ->check(CLI::Range(1, 16))
+      ->type_name("N");
+  app.add_option("--padding", options.padding,
+                 "Gutter round each chart, in texels (default 16: four mip levels find no seam)")
+      ->check(CLI::Range(0, 65536))
+      ->type_name("PX");
+  app.add_option(
+         "--displacement", displacement.path,
+         "Write signed distances along LOW's normals: float in .exr; in .png and .tif 0.5 + d/2m, m the largest")
+      ->type_name("FILE");
+  app.add_option("--mask-output", mask.path, "Write 1 where a texel found detail, 0 elsewhere")->type_name("FILE");
+  add_normal_coding(app, coding, false);
+
+  return tool.run(argc, argv, [&]() -> Json {
+    const FileType type = output.type();
+    const SampleType sample = output.sample();
+    const FileRef low_file = tool.read(low), high_file = tool.read(high);
+    const NormalMapTarget target{tool.write(output.path), type, sample, coding};
+    require_encodable(coding, sample, target.file.name);
+    displacement.reserve(tool), mask.reserve(tool);
+    TransferMaps maps = transfer_detail(read_mesh(low_file), read_mesh(high_file), options, tool.progress());
+    write_baked_normals(target, maps.width, maps.height, maps.normals);
+    if (!displacement.path.empty()) write_displacement(displacement.file, displacement.type, maps.displacement);
+    if (!mask.path.empty()) {
+      for (std::uint8_t& c : maps.coverage.data) c = c == kFound;
+      write_mask(mask.file, mask.type, maps.coverage);
+    }
+    if (maps.missed_texels)
+      tool.warn(std::to_string(maps.missed_texels) + " of " + std::to_string(maps.covered_texels) +
+                " covered texels (" + percent(maps.missed_texels, maps.covered_texels) + ") found no detail of '" +
+                high + "' and keep the normal of '" + low + "'; a larger --max-distance or --cage may reach it");
+    if (maps.overlapped_texels)
+      tool.warn("'" + low + "': " + std::to_string(maps.overlapped_texels) +
+                " texels are covered by more than one triangle, and hold the first one's detail");
+    return {{"covered_texels", maps.covered_texels},
+            {"missed_texels", maps.missed_texels},
+            {"overlapped_texels", maps.overlapped_texels},
+            {"max_distance", maps.max_distance}};
+  });
+}
