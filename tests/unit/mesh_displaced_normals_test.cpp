@@ -1,0 +1,317 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "../mesh_patterns.h"
+#include "burnish/core/parallel.h"
+#include "burnish/mesh/displaced_normals.h"
+#include "burnish/mesh/tangent_frames.h"
+#include "burnish/mesh/uv_raster.h"
+#include "expect_error.h"
+#include "scratch_dir.h"
+
+namespace burnish {
+namespace {
+
+using testing::ScratchDir;
+
+HeightField field_of(int width, int height, const std::function<double(double u, double v)>& value) {
+  HeightField field{"h.exr", Image(width, height), {}, false};
+  for (int y = 0; y < height; y++)
+    for (int x = 0; x < width; x++) *field.heights.at(x, y) = float(value((x + 0.5) / width, 1 - (y + 0.5) / height));
+  return field;
+}
+
+double waves(double u, double v) { return std::sin(9 * u + 3 * v) * std::cos(7 * v - 2 * u) + 0.3 * u * v; }
+
+HeightMapOptions with_height(double height) {
+  HeightMapOptions options;
+  options.height = height;
+  return options;
+}
+
+Vec3d normal_of(const DisplacedNormals& map, int x, int y) {
+  return Vec3d(map.normals[std::size_t(y) * map.width + x]);
+}
+
+// The tangent-space map of burnish-normals for a map of this extent.
+std::vector<Vec3f> tangent_space(const HeightField& field, HeightMapOptions options, double size_u, double size_v) {
+  const ScratchDir dir;
+  options.size_u = size_u, options.size_v = size_v;
+  write_image(dir / "h.exr", FileType::kExr, SampleType::kFloat, field.heights);
+  if (!field.mask.data.empty()) {
+    Image mask(field.mask.width, field.mask.height);
+    for (std::size_t i = 0; i < mask.data.size(); i++) mask.data[i] = field.mask.data[i];
+    write_image(dir / "m.exr", FileType::kExr, SampleType::kFloat, mask);
+    options.mask = FileRef(dir / "m.exr");
+  }
+  const NormalMapTarget target{dir / "n.exr", FileType::kExr, SampleType::kFloat, {}};
+  convert_height_map(dir / "h.exr", options, target);
+  int w, h;
+  return read_normals(dir / "n.exr", {}, &w, &h);
+}
+
+struct Difference {
+  double worst_deg = 0, mean_square_light = 0;
+};
+
+// Between the object-space map and a tangent-space map in the mesh's frames, over the covered texels; lit by Lambert.
+Difference from_tangent_space(Mesh mesh, const DisplacedNormals& object, const std::vector<Vec3f>& tangent) {
+  add_smooth_normals(mesh);
+  const TangentFrames frames = tangent_frames(mesh);
+  const UvRaster raster(mesh, object.width, object.height);
+  std::vector<std::uint32_t> triangles(object.width);
+  std::vector<std::uint8_t> several(object.width);
+  const Vec3d light = normalized(Vec3d{1, 2, 3});
+  Difference d;
+  std::size_t count = 0;
+  for (int y = 0; y < object.height; y++) {
+    raster.row(y, triangles.data(), several.data());
+    for (int x = 0; x < object.width; x++) {
+      if (triangles[x] == UvRaster::kNone) continue;
+      const FrameAt frame = frame_at(mesh, frames, raster.point(triangles[x], x, y));
+      const Vec3d a = normal_of(object, x, y), b = frame.to_object(Vec3d(tangent[std::size_t(y) * object.width + x]));
+      d.worst_deg = std::max(d.worst_deg, degrees(angle_rad(a, b)));
+      d.mean_square_light += std::pow(std::max(0.0, dot(a, light)) - std::max(0.0, dot(b, light)), 2), count++;
+    }
+  }
+  d.mean_square_light /= double(count);
+  return d;
+}
+
+// A flat sheet anywhere in space, `a` along u and `b` along v.
+Mesh sheet(Vec3d a, Vec3d b, const GridUv& uv = identity_uv) {
+  return grid_mesh(
+      3, 2,
+      [&](double u, double v) {
+        return Vec3d{4, -1, 2} + a * u + b * v;
+      },
+      uv);
+}
+const Vec3d kA = Vec3d{1, 2, 2} * 0.7, kB = Vec3d{2, 1, -2} * 0.4;  // lengths 2.1 and 1.2
+
+TEST(DisplacedNormals, OnAFlatSheetTheyAreTheTangentSpaceOnes) {
+  HeightField field = field_of(40, 24, waves);
+  for (const bool masked : {false, true}) {
+    if (masked) {
+      field.mask = ByteImage(40, 24);
+      for (std::size_t i = 0; i < field.mask.data.size(); i++) field.mask.data[i] = i % 7 != 0 && i % 40 != 13;
+    }
+    for (const int neighbors : {4, 8, 80})
+      for (const Wrap wrap : {Wrap::kFit, Wrap::kClamp, Wrap::kRepeat, Wrap::kMirror})
+        for (const FitWeights weights : {FitWeights::kUniform, FitWeights::kGaussian}) {
+          HeightMapOptions options = with_height(0.3);
+          options.neighbors = neighbors, options.weights = weights, options.mid_level = 0.4;
+          options.wrap_u = wrap, options.wrap_v = wrap;
+          const DisplacedNormals object = displaced_normals(sheet(kA, kB), field, options);
+          const Difference d =
+              from_tangent_space(sheet(kA, kB), object, tangent_space(field, options, length(kA), length(kB)));
+          EXPECT_LT(d.worst_deg, 1e-4) << neighbors << " neighbors, wrap " << int(wrap) << (masked ? ", masked" : "");
+        }
+  }
+}
+
+TEST(DisplacedNormals, InAMirroredMapToo) {
+  const auto mirrored = [](double u, double v) { return Vec2d{1 - u, v}; };
+  const HeightField field = field_of(32, 32, waves);
+  const HeightMapOptions options = with_height(0.2);
+  const DisplacedNormals object = displaced_normals(sheet(kA, kB, mirrored), field, options);
+  const std::vector<Vec3f> tangent = tangent_space(field, options, length(kA), length(kB));
+  EXPECT_LT(from_tangent_space(sheet(kA, kB, mirrored), object, tangent).worst_deg, 1e-4);
+  // What rises along u falls along kA here.
+  const HeightField ramp = field_of(32, 32, [](double u, double) { return u; });
+  const Vec3d n = normal_of(displaced_normals(sheet(kA, kB, mirrored), ramp, options), 16, 16);
+  EXPECT_GT(dot(n, kA), 0.05);
+  EXPECT_GT(dot(n, cross(kA, kB)), 0);
+}
+
+// A map that is sheared and scaled differently along its sides: the definition, with the gradient from the sheet's
+// plane.
+TEST(DisplacedNormals, InASkewedMap) {
+  const double height = 0.25;
+  const HeightField field = field_of(64, 64, [](double u, double v) { return 2 * u + 3 * v; });
+  const Mesh mesh = grid_mesh(
+      2, 2,
+      [](double u, double v) {
+        return Vec3d{u, v, 0};
+      },
+      turned_uv);
+  // turned_uv: U = 0.3 + 0.4x − 0.2y, V = 0.2 + 0.2x + 0.5y, so z = height·(2U + 3V) has these slopes.
+  const Vec3d expected = normalized(Vec3d{-height * (2 * 0.4 + 3 * 0.2), -height * (2 * -0.2 + 3 * 0.5), 1});
+  const DisplacedNormals map = displaced_normals(mesh, field, with_height(height));
+  std::size_t covered = 0, other = 0;
+  for (std::size_t i = 0; i < map.normals.size(); i++) {
+    covered += map.covered.data[i];
+    other += map.covered.data[i] && degrees(angle_rad(Vec3d(map.normals[i]), expected)) > 2e-3;
+  }
+  EXPECT_EQ(covered, map.covered_texels);
+  EXPECT_EQ(other, map.degenerate_texels) << "in the corners of the chart";
+  EXPECT_LE(other, 4u);
+  EXPECT_NEAR(double(covered) / (64 * 64), 0.4 * 0.5 + 0.2 * 0.2, 0.005);
+  EXPECT_NEAR(map.max_slope_deg, degrees(angle_rad(expected, {0, 0, 1})), 2e-3);
+}
+
+// The unit sphere, displaced by waves: its normals from differences of the surface itself.
+double rms_deg_on_sphere(int rows, int width) {
+  const double amount = 0.1;
+  const auto wave = [&](double u, double v) {
+    const double s = std::sin(kPi * v);
+    return std::sin(12 * kPi * u) * s * s * std::sin(8 * kPi * v);
+  };
+  const HeightField field = field_of(width, width / 2, wave);
+  HeightMapOptions options = with_height(amount);
+  options.wrap_u = Wrap::kRepeat;
+  const DisplacedNormals map = displaced_normals(grid_mesh(2 * rows, rows, unit_sphere, identity_uv), field, options);
+  const auto surface = [&](double u, double v) {
+    const Vec3d radial{std::sin(kPi * v) * std::sin(2 * kPi * u), -std::cos(kPi * v),
+                       std::sin(kPi * v) * std::cos(2 * kPi * u)};
+    return radial * (1 + amount * wave(u, v));
+  };
+  double sum = 0;
+  int count = 0;
+  for (int y = map.height / 10; y < map.height * 9 / 10; y++)
+    for (int x = 0; x < map.width; x++) {
+      const double u = (x + 0.5) / map.width, v = 1 - (y + 0.5) / map.height, e = 1e-5;
+      const Vec3d expected = cross(surface(u + e, v) - surface(u - e, v), surface(u, v + e) - surface(u, v - e));
+      sum += std::pow(degrees(angle_rad(expected, normal_of(map, x, y))), 2), count++;
+    }
+  return std::sqrt(sum / count);
+}
+
+TEST(DisplacedNormals, OnASphereTheyConvergeToTheTrueOnes) {
+  const double coarse = rms_deg_on_sphere(16, 256), fine = rms_deg_on_sphere(32, 512),
+               finer = rms_deg_on_sphere(64, 1024);
+  EXPECT_LT(coarse, 1.2);  // the steepest slope is 39°
+  EXPECT_LT(fine, 0.55 * coarse);
+  EXPECT_LT(finer, 0.55 * fine);
+}
+
+// u once round a tube of circumference 2, v along its length 1.
+Mesh tube(int columns) {
+  return grid_mesh(
+      columns, 4,
+      [](double u, double v) {
+        const Vec2d c = circle(u);
+        return Vec3d{c.x / kPi, c.y / kPi, v};
+      },
+      identity_uv);
+}
+
+TEST(DisplacedNormals, ABentSheetCountsByItsHeight) {
+  const double radius = 1 / kPi, slope = 0.5;
+  // Turns per unit of u: the ramp rises by `slope` per unit of length at the tube's own radius.
+  const HeightField ramp = field_of(256, 8, [&](double u, double) { return 2 * slope * (u - 0.5); });
+  for (const double offset : {0.0, 0.2, -0.1}) {
+    HeightMapOptions options;
+    options.mid_level = -offset;
+    const DisplacedNormals map = displaced_normals(tube(512), ramp, options);
+    for (const int x : {64, 128, 200}) {
+      const double u = (x + 0.5) / 256, h = 2 * slope * (u - 0.5) + offset;
+      const double turn = 2 * kPi * u;
+      const Vec3d out{std::cos(turn), std::sin(turn), 0}, round{-std::sin(turn), std::cos(turn), 0};
+      const Vec3d expected = out - round * (slope / (1 + h / radius));
+      EXPECT_LT(degrees(angle_rad(expected, normal_of(map, x, 3))), 0.05) << "column " << x << ", offset " << offset;
+    }
+  }
+}
+
+TEST(DisplacedNormals, AConstantHeightMovesNoNormal) {
+  Mesh mesh = grid_mesh(12, 9, torus, identity_uv);
+  add_smooth_normals(mesh);
+  for (const double h : {0.0, 0.1, 25.0, -3.0}) {
+    const DisplacedNormals map =
+        displaced_normals(mesh, field_of(48, 48, [](double, double) { return 1.0; }), with_height(h));
+    const UvRaster raster(mesh, 48, 48);
+    std::vector<std::uint32_t> triangles(48);
+    std::vector<std::uint8_t> several(48);
+    for (int y = 0; y < 48; y++) {
+      raster.row(y, triangles.data(), several.data());
+      for (int x = 0; x < 48; x++)
+        EXPECT_LT(angle_rad(normal_of(map, x, y), normal_at(mesh, raster.point(triangles[x], x, y))), 1e-6);
+    }
+    EXPECT_LT(map.max_slope_deg, 1e-6);
+  }
+}
+
+// The same displacement by either way, lit: more than 45 dB.
+TEST(DisplacedNormals, ObjectSpaceIsTangentSpaceInTheFramesOfAnIsometricMap) {
+  const HeightField field = field_of(512, 256, [](double u, double v) {
+    return std::sin(16 * kPi * u) * std::cos(10 * kPi * v) + 0.4 * std::sin(34 * kPi * u + 20 * kPi * v);
+  });
+  HeightMapOptions options = with_height(0.01);  // slopes of up to 25° and more
+  options.wrap_u = Wrap::kRepeat;
+  const DisplacedNormals object = displaced_normals(tube(64), field, options);
+  EXPECT_GT(object.max_slope_deg, 25);
+  const Difference d = from_tangent_space(tube(64), object, tangent_space(field, options, 2, 1));
+  EXPECT_GT(-10 * std::log10(d.mean_square_light), 45);
+}
+
+TEST(DisplacedNormals, AFitKeepsToItsChart) {
+  // Two sheets side by side in the map and apart in space; heights jump between them.
+  Mesh mesh = grid_mesh(
+      2, 1,
+      [](double u, double v) {
+        return Vec3d{u, v, 0};
+      },
+      identity_uv);
+  mesh.positions.insert(mesh.positions.end(), {{0.5, 0, 9}, {0.5, 1, 9}});
+  for (std::size_t t = 2; t < 4; t++)
+    for (std::uint32_t& p : mesh.triangles[t])
+      if (mesh.positions[p].x == 0.5) p = mesh.positions[p].y == 0 ? 6 : 7;
+  const HeightField field = field_of(16, 16, [](double u, double) { return u < 0.5 ? 0 : 100; });
+  for (const int neighbors : {4, 24}) {
+    HeightMapOptions options;
+    options.neighbors = neighbors;
+    EXPECT_LT(displaced_normals(mesh, field, options).max_slope_deg, 1e-6);
+  }
+  EXPECT_GT(displaced_normals(sheet(kA, kB), field, {}).max_slope_deg, 80) << "one chart: the jump is a cliff";
+}
+
+TEST(DisplacedNormals, WhatIsMaskedOrAloneHoldsTheSmoothNormal) {
+  HeightField field = field_of(16, 16, waves);
+  field.mask = ByteImage(16, 16);
+  for (std::size_t i = 0; i < field.mask.data.size(); i++) field.mask.data[i] = i / 16 < 8;
+  field.mask.data[12 * 16 + 5] = 1;  // alone among masked ones
+  *field.heights.at(3, 10) = std::numeric_limits<float>::quiet_NaN();
+  const DisplacedNormals map = displaced_normals(sheet(kA, kB), field, {});
+  const Vec3d flat = normalized(cross(kA, kB));
+  for (const int y : {8, 10, 12, 15}) EXPECT_LT(angle_rad(normal_of(map, y == 12 ? 5 : 3, y), flat), 1e-6);
+  EXPECT_GT(angle_rad(normal_of(map, 3, 3), flat), 0.01);
+  EXPECT_EQ(map.degenerate_texels, 1u);
+  EXPECT_EQ(map.covered_texels, 256u);
+}
+
+TEST(DisplacedNormals, TheSameOnAnyNumberOfThreads) {
+  const HeightField field = field_of(100, 60, waves);
+  const Mesh mesh = grid_mesh(20, 10, torus, identity_uv);
+  const ThreadLimit one(1);
+  const DisplacedNormals alone = displaced_normals(mesh, field, {});
+  const ThreadLimit all(0);
+  const DisplacedNormals together = displaced_normals(mesh, field, {});
+  EXPECT_EQ(alone.normals, together.normals);
+  EXPECT_EQ(alone.mean_tilt_deg, together.mean_tilt_deg);
+}
+
+TEST(DisplacedNormals, ErrorsNameWhatIsWrong) {
+  HeightField field = field_of(8, 8, waves);
+  EXPECT_ERROR(displaced_normals(without_uvs(sheet(kA, kB)), field, {}), ErrorKind::kMalformed, "texture coordinates");
+  const auto beyond = [](double u, double v) { return Vec2d{1.5 * u, v}; };
+  EXPECT_ERROR(displaced_normals(sheet(kA, kB, beyond), field, {}), ErrorKind::kMalformed, "in [0,1]");
+  const auto line = [](double u, double) { return Vec2d{u, 0.5}; };
+  EXPECT_ERROR(displaced_normals(sheet(kA, kB, line), field, {}), ErrorKind::kMalformed,
+               "none that covers a texel of 8x8");
+  EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, with_height(INFINITY)), ErrorKind::kUsage, "height");
+  EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, with_height(1e300)), ErrorKind::kMalformed, "too steep");
+  HeightMapOptions options;
+  options.neighbors = 5;
+  EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, options), ErrorKind::kUsage, "neighbors");
+  *field.heights.at(5, 6) = *field.heights.at(2, 7) = std::numeric_limits<float>::infinity();
+  EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, {}), ErrorKind::kMalformed,
+               "'h.exr': expected finite heights, got NaN or infinity at column 5, row 6");
+  const auto left = [](double u, double v) { return Vec2d{0.25 * u, v}; };  // neither is covered
+  EXPECT_EQ(displaced_normals(sheet(kA, kB, left), field, {}).covered_texels, 16u);
+}
+
+}  // namespace
+}  // namespace burnish
