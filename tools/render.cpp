@@ -52,7 +52,7 @@ Scene read_inputs(Tool& tool, const Options& o) {
   return scene;
 }
 
-std::vector<ObjectAssets> load(Tool& tool, const Scene& scene) {
+std::vector<ObjectAssets> load(Tool& tool, Scene& scene) {
   std::vector<ObjectAssets> assets = load_assets(scene);
   for (std::size_t i = 0; i < assets.size(); i++)
     if (assets[i].invalid_texels)
@@ -66,7 +66,7 @@ Json render(Tool& tool, const Options& o) {
   const SampleType sample = o.output.sample();
   const std::vector<Aov> aovs = o.aovs.empty() ? std::vector<Aov>{} : parse_aovs(o.aovs);
   const FrameNames names(o.output.path, o.frames, aovs);
-  const Scene scene = read_inputs(tool, o);
+  Scene scene = read_inputs(tool, o);
   std::vector<std::vector<FileRef>> files(o.frames);
   for (int i = 0; i < o.frames; i++)
     for (const std::string& file : names.of_frame(i)) files[i].push_back(tool.write(file));
@@ -86,7 +86,7 @@ Json render(Tool& tool, const Options& o) {
   }
   Json stats{
       {"path", name(scene.path)}, {"width", scene.image.width}, {"height", scene.image.height}, {"frames", o.frames}};
-  if (scene.path == RenderPath::kPalette) stats["table_ms"] = table_ms;
+  if (scene.path != RenderPath::kAnalytic) stats["table_ms"] = table_ms;
   return stats;
 }
 
@@ -94,7 +94,7 @@ Json render(Tool& tool, const Options& o) {
 Json decibels(double psnr_db) { return std::isfinite(psnr_db) ? Json(psnr_db) : Json(); }
 
 Json validate(Tool& tool, const Options& o, std::filesystem::path& created) {
-  const Scene scene = read_inputs(tool, o);
+  Scene scene = read_inputs(tool, o);
   require_twin(scene.path);
   const std::filesystem::path dir(o.report_dir);
   std::error_code error;
@@ -137,7 +137,7 @@ int main(int argc, char** argv) {
       ->description(
           "Picture to write: sRGB in PNG, linear in EXR; '-' is standard output; of several frames a pattern "
           "with %d or %04d");
-  app.add_option("--path", o.path, "Path to render by, instead of the scene's: analytic or palette")->type_name("NAME");
+  app.add_option("--path", o.path, "Path to render by, instead of the scene's: analytic, palette or palette-expanded")->type_name("NAME");
   app.add_option("--frames", o.frames, "Pictures of a full turn of the lights, numbered from 0 (default 1)")
       ->check(CLI::Range(1, kMostFrameFiles))
       ->type_name("N");

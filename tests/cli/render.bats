@@ -207,7 +207,7 @@ scene() {
 
 @test "paths that do not fit: unknown, not there yet, without their map" {
   scene
-  refuses 1 "expected a path, analytic or palette, got 'palete'" burnish-render s.toml --path palete -o x.png
+  refuses 1 "expected a path, analytic, palette or palette-expanded, got 'palete'" burnish-render s.toml --path palete -o x.png
   refuses 5 "path 'ward' is not there yet" burnish-render s.toml --path ward -o x.png
   sed -i '1i path = "ptm"' s.toml
   refuses 5 "path 'ptm' is not there yet" burnish-render s.toml -o x.png

@@ -31,6 +31,14 @@ inline Scene sphere_scene(int size_px = 64) {
   return s;
 }
 
+// A glossy material of one term, Phong's unless said otherwise.
+template <typename Model = Phong>
+Material glossy(Vec3d ambient, Vec3d diffuse, Vec3d specular, double exponent) {
+  Model m;
+  m.ambient = ambient, m.diffuse = diffuse, m.specular = specular, m.exponent = exponent;
+  return {{}, {m}};
+}
+
 // A map of one normal.
 inline ObjectAssets constant_normals(const Scene& scene, Vec3d n) {
   ObjectAssets a;

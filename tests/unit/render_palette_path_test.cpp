@@ -3,6 +3,7 @@
 
 #include "burnish/render/metrics.h"
 #include "burnish/render/palette_table.h"
+#include "burnish/render/table_kernels.h"
 #include "expect_error.h"
 #include "render_fixture.h"
 
@@ -30,7 +31,7 @@ void light_and_turn(Scene& s) {
   s.lights[1].intensity = 0.5;
   s.objects[0].transform.rotation = rotation_xyz({radians(20), radians(-35), radians(50)});
   s.objects[0].transform.translation = {0.03, -0.02, 0.2};
-  s.materials[0].model = Phong{{1, 1, 1}, {0.6, 0.5, 0.4}, {0.5, 0.6, 0.7}, 60};
+  s.materials[0] = testing::glossy({1, 1, 1}, {0.6, 0.5, 0.4}, {0.5, 0.6, 0.7}, 60);
 }
 
 TEST(RenderPalettePath, EqualsItsTwinOnAQuad) {
@@ -49,8 +50,9 @@ TEST(RenderPalettePath, EqualsItsTwinWithMaterials) {
   Scene s = quad_scene(97);
   light_and_turn(s);
   s.materials[0].id = 0;
-  s.materials.push_back({1, Lambert{{1, 0, 0}, {0, 1, 0}}});
-  s.materials.push_back({2, Phong{{}, {0.1, 0.2, 0.3}, {1, 1, 1}, 5}});
+  s.materials.push_back({1, {Lambert{{1, 0, 0}, {0, 1, 0}}}});
+  s.materials.push_back(testing::glossy({}, {0.1, 0.2, 0.3}, {1, 1, 1}, 5));
+  s.materials[2].id = 2;
   EXPECT_LE(largest_difference(s, indexed_assets(s, 64, 1000, true, 3)), 1e-6);
 }
 
@@ -129,20 +131,111 @@ TEST(RenderPalettePath, NeedsAnIndexedMapAndAChainForMips) {
                "expected a chain of mip levels");
 }
 
+// Every lighting model, as one term.
+std::vector<std::pair<std::string, LightingModel>> all_models() {
+  const auto term = [](const Material& m) { return m.terms[0]; };
+  Cartoon cartoon;
+  cartoon.bands = 4, cartoon.outline_cosine = 0.25;
+  Image sky(16, 8, 3);
+  for (std::size_t i = 0; i < sky.data.size(); i++) sky.data[i] = float((i * 37) % 11) / 5;
+  Environment environment;
+  environment.panorama = std::make_shared<const Panorama>(sky);
+  environment.turn_rad = 0.7;
+  return {{"lambert", Lambert{{1, 1, 1}, {0.6, 0.5, 0.4}}},
+          {"phong", term(testing::glossy({1, 1, 1}, {0.6, 0.5, 0.4}, {0.5, 0.6, 0.7}, 60))},
+          {"a sharp phong", term(testing::glossy({1, 1, 1}, {0.6, 0.5, 0.4}, {0.5, 0.6, 0.7}, 900))},
+          {"a phong beyond the vectorised power", term(testing::glossy({}, {}, {1, 1, 1}, 5000))},
+          {"a phong of exponent 0", term(testing::glossy({}, {}, {1, 1, 1}, 0))},
+          {"npr-double", term(testing::glossy<NprDouble>({1, 1, 1}, {0.6, 0.5, 0.4}, {0.5, 0.6, 0.7}, 12))},
+          {"cartoon", cartoon},
+          {"chrome", Chrome{}},
+          {"environment", environment}};
+}
+
+TEST(RenderPalettePath, EveryModelAndBlendEqualsItsTwinOnAStretchedTurnedObject) {
+  for (const auto& [model_name, model] : all_models())
+    for (Blend blend : {Blend::kMaterial, Blend::kExact, Blend::kApproximate}) {
+      Scene s = sphere_scene(61);
+      light_and_turn(s);
+      s.objects[0].transform.scale = {1, 0.6, 0.8};
+      s.objects[0].base.blend = blend;
+      s.objects[0].base.colour = {0.7, 0.4, 0.9};
+      s.materials[0] = {{}, {model}};
+      ObjectAssets a = indexed_assets(s, 64, 2048, false);
+      if (blend != Blend::kMaterial) {
+        a.base_colour.emplace(5, 3, 3);
+        for (std::size_t i = 0; i < a.base_colour->data.size(); i++) a.base_colour->data[i] = float(i % 7) / 7;
+      }
+      EXPECT_LE(largest_difference(s, a), 1e-6) << model_name << ", blend " << int(blend);
+      const Frame looked_up = render(s, a, RenderPath::kPalette), expanded = render(s, a, RenderPath::kPaletteExpanded);
+      EXPECT_EQ(looked_up.colour.data, expanded.colour.data) << model_name;
+    }
+}
+
+TEST(RenderPalettePath, ASumOfModelsEqualsItsTwin) {
+  Scene s = sphere_scene(61);
+  light_and_turn(s);
+  s.materials[0].terms.clear();
+  for (const auto& [model_name, model] : all_models()) s.materials[0].terms.push_back(model);
+  for (Blend blend : {Blend::kMaterial, Blend::kExact}) {
+    s.objects[0].base.blend = blend;
+    EXPECT_LE(largest_difference(s, indexed_assets(s, 64, 2048, false)), 3e-6) << "sums reach 6";
+  }
+}
+
+// A table of one material over normals all around, before white light from (1, 2, 2)/3 and a viewer along +z.
+PaletteTable shaded_table(const Palette& palette, const std::vector<const Material*>& materials, Blend blend) {
+  const std::vector<Arriving> lights{{normalized(Vec3d{1, 2, 2}), {1, 1, 1}}};
+  PaletteTable table(palette, materials, {}, table_kind(blend, materials));
+  table.shade({lights, {0.1, 0.1, 0.1}, {0, 0, 1}});
+  return table;
+}
+
 TEST(RenderPaletteTable, EveryIntervalHasItsOwnModel) {
   Palette p;
   p.normals = testing::spread_normals(3000, true);
   p.materials = {{3, 0, 1500}, {9, 1500, 1500}};
-  const Material lambert{3, Lambert{{}, {1, 1, 1}}}, phong{9, Phong{{}, {}, {1, 1, 1}, 7}};
-  const std::vector<const Material*> materials{&lambert, &phong};
+  const Material lambert{3, {Lambert{{}, {1, 1, 1}}}}, phong = testing::glossy({}, {}, {1, 1, 1}, 7);
+  const PaletteTable c = shaded_table(p, {&lambert, &phong}, Blend::kMaterial);
+  ASSERT_EQ(c.channels(), 3);
   const Vec3d l = normalized(Vec3d{1, 2, 2}), v{0, 0, 1};
-  const std::vector<Arriving> lights{{l, {1, 1, 1}}};
-  const std::vector<Vec3d> c = shade_palette(p, materials, {}, lights, v);
-  ASSERT_EQ(c.size(), 3000u);
   for (int i = 0; i < 3000; i++) {
-    const Vec3d n(p.normals[i]);
+    const Vec3d n = normalized(Vec3d(p.normals[i]));
     const double nl = std::max(0.0, dot(n, l)), rv = std::max(0.0, dot(n * (2 * nl) - l, v));
-    ASSERT_NEAR(c[i].x, i < 1500 ? nl : nl > 0 ? std::pow(rv, 7) : 0, 1e-12) << "entry " << i;
+    ASSERT_NEAR(c.plane(0)[i], i < 1500 ? nl : nl > 0 ? std::pow(rv, 7) : 0, 2e-7) << "entry " << i;
+  }
+}
+
+TEST(RenderPaletteTable, HoldsWhatItsBlendingNeeds) {
+  Palette p;
+  p.normals = testing::spread_normals(600, true);
+  p.materials = {{0, 0, 600}};
+  const Material lambert{{}, {Lambert{{1, 1, 1}, {0.5, 0.5, 0.5}}}},
+      phong = testing::glossy({1, 1, 1}, {0.5, 0.5, 0.5}, {0.2, 0.4, 0.6}, 9);
+  const PaletteTable intensity = shaded_table(p, {&lambert}, Blend::kExact),
+                     both = shaded_table(p, {&phong}, Blend::kApproximate),
+                     rgb = shaded_table(p, {&phong}, Blend::kMaterial);
+  ASSERT_EQ(intensity.channels(), 1);
+  ASSERT_EQ(both.channels(), 4);
+  for (int i = 0; i < 600; i++) {
+    const double alpha = 0.1 + 0.5 * std::max(0.0, dot(normalized(Vec3d(p.normals[i])), normalized(Vec3d{1, 2, 2})));
+    ASSERT_NEAR(intensity.plane(0)[i], alpha, 1e-6);
+    ASSERT_NEAR(both.plane(3)[i], alpha, 1e-6);
+    for (int c = 0; c < 3; c++) ASSERT_NEAR(both.plane(c)[i] + alpha, rgb.plane(c)[i], 1e-6);
+    ASSERT_NEAR(both.plane(2)[i], 3 * both.plane(0)[i], 1e-6);
+  }
+}
+
+TEST(RenderPaletteTable, ThePowerIsExactToOnePartInTenMillion) {
+  std::vector<double> bases{0, 1e-12, 1e-6, 0.5, 1 - 1e-12, 1};
+  for (int i = 0; i < 20000; i++) bases.push_back((i + 0.5) / 20000);
+  for (int i = 0; i < 20000; i++) bases.push_back(1 - std::pow(10, -10 * (i + 0.5) / 20000));
+  std::vector<float> base, complement, out(bases.size());
+  for (double b : bases) base.push_back(float(b)), complement.push_back(float(1 - b));
+  for (double e : {0.01, 0.5, 1.0, 2.0, 3.7, 20.0, 100.0, 1000.0}) {
+    kernels::power(base.data(), complement.data(), float(e), base.size(), out.data());
+    for (std::size_t i = 0; i < bases.size(); i++)
+      ASSERT_NEAR(out[i], std::pow(bases[i], double(float(e))), 1.5e-7) << bases[i] << '^' << e;
   }
 }
 

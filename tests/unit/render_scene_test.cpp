@@ -95,7 +95,7 @@ heat_max = 0.25
   EXPECT_EQ(s.lights[1].falloff, Falloff::kInverseSquare);
   const Object& o = s.objects[0];
   EXPECT_EQ(o.surface.radius, 2);
-  EXPECT_NEAR(o.transform.direction_to_world({0, 0, 1}).x, 1, 1e-15);
+  EXPECT_NEAR(o.transform.normal_to_world({0, 0, 1}).x, 1, 1e-15);
   EXPECT_EQ(o.normal_space, NormalSpace::kObject);
   EXPECT_EQ(o.coding.green, GreenAxis::kDown);
   EXPECT_EQ(o.coding.encoding, NormalEncoding::kSigned);
@@ -103,8 +103,8 @@ heat_max = 0.25
   EXPECT_EQ(o.filter, Filter::kBilinear);
   EXPECT_EQ(o.mip, MipMode::kNearest);
   EXPECT_EQ(s.objects[1].surface.repeat_v, 4);
-  EXPECT_EQ(std::get<Phong>(s.materials[0].model).exponent, 9);
-  EXPECT_EQ(std::get<Lambert>(s.materials[1].model).ambient, (Vec3d{0.5, 0.5, 0.5})) << "as the diffuse colour";
+  EXPECT_EQ(std::get<Phong>(s.materials[0].terms[0]).exponent, 9);
+  EXPECT_EQ(std::get<Lambert>(s.materials[1].terms[0]).ambient, (Vec3d{0.5, 0.5, 0.5})) << "as the diffuse colour";
   EXPECT_EQ(s.validation.samples, 8);
   EXPECT_EQ(s.validation.tolerances.max_p95_abs, 0.02);
   EXPECT_EQ(s.files(), (std::vector<std::string>{"maps/n.png", "maps/i.exr"})) << "each once";
@@ -124,7 +124,8 @@ TEST(RenderScene, RefusalsNameFileLineAndKey) {
           "'ambient': expected an array of 3, each a number of at least 0, got an array of 2");
   refused("ambient = [0, 1, -1]\n" + kObject, "'ambient': expected an array of 3, each a number of at least 0, got -1");
   refused("ambient = [0, 1, nan]\n" + kObject, "'ambient'");
-  refused("path = 'palete'\n" + kObject, "line 1: 'path': expected a path, analytic or palette, got 'palete'");
+  refused("path = 'palete'\n" + kObject,
+          "line 1: 'path': expected a path, analytic, palette or palette-expanded, got 'palete'");
   refused("image = 3\n" + kObject, "'image': expected a table [image], got 3");
   refused("[image]\nwidth = 100000\n" + kObject, "line 2: 'image.width': expected an integer from 1 to");
   refused("[camera]\ntype = 'fisheye'\n" + kObject, "'camera.type': expected orthographic|perspective, got 'fisheye'");
@@ -139,7 +140,15 @@ TEST(RenderScene, RefusalsNameFileLineAndKey) {
           "'light[0].direction': unknown key");
   refused(kObject + "[light]\ndirection = [0, 0, 1]\n", "'light': expected tables [[light]], got a table");
   refused("", "'object': expected at least one [[object]]");
-  refused("[[object]]\n", "line 1: 'object[0].normal_map': expected a file name here or in 'indexed_map'");
+  refused("[[object]]\nsurface = 'mesh'\n", "line 1: 'object[0].mesh': expected the mesh's file name");
+  refused(kObject + "scale = [1, 0, 1]\n", "'object[0].scale': expected an array of 3, each a number above 0, got 0");
+  refused(kObject + "base_color = [1, 1, 1]\nblend = 'material'\n", "'object[0].blend': expected exact or approximate");
+  refused(kObject + "[[material]]\n[[material.term]]\nmodel = 'phnog'\n",
+          "'material[0].term[0].model': expected lambert|");
+  refused(kObject + "[[material]]\nmodel = 'phong'\n[[material.term]]\nmodel = 'chrome'\n",
+          "'material[0].model': unknown key");
+  refused(kObject + "[[material]]\nmodel = 'environment'\n", "'material[0].map': expected the panorama's file name");
+  refused(kObject + "[[material]]\nmodel = 'cartoon'\nbands = 1\n", "'material[0].bands': expected an integer from 2");
   refused("[[object]]\nnormal_map = 'n.png'\nsurface = 'sphere'\nsize = [1, 1]\n", "'object[0].size': unknown key");
   refused("[[object]]\nnormal_map = 'n.png'\nmip = 'off'\n", "'object[0].mip': unknown key");
   refused("[[object]]\nnormal_map = 'n.png'\nchannels = 'xq'\n", "'object[0].channels': expected two or three letters");
@@ -166,7 +175,7 @@ TEST(RenderAssets, EveryIntervalNeedsItsMaterial) {
   s.objects[0].normal_map.clear();
   s.objects[0].indexed_map = dir / "i.exr";
   s.materials[0].id = 0;
-  s.materials.push_back({1, Lambert{}});
+  s.materials.push_back({1, {Lambert{}}});
   ObjectAssets made = testing::indexed_assets(s, 4, 8, true, 2);
   write_indexed_map(dir / "i.exr", FileType::kExr, *made.indexed);
   const std::vector<ObjectAssets> read = load_assets(s);

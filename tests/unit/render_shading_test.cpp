@@ -1,8 +1,6 @@
 // Closed forms: what a lit pixel must be.
 #include <gtest/gtest.h>
 
-#include "burnish/render/lambert.h"
-#include "burnish/render/phong.h"
 #include "render_fixture.h"
 
 namespace burnish {
@@ -30,7 +28,7 @@ TEST(RenderShading, FlatMapLitAtAnAngleIsItsCosine) {
 TEST(RenderShading, LightFromBelowLeavesOnlyTheAmbient) {
   Scene s = quad_scene();
   s.ambient = {0.1, 0.2, 0.3};
-  s.materials[0].model = Phong{{0.5, 0.5, 0.5}, {1, 1, 1}, {1, 1, 1}, 2};
+  s.materials[0] = testing::glossy({0.5, 0.5, 0.5}, {1, 1, 1}, {1, 1, 1}, 2);
   s.lights[0].direction = {0.6, 0, -0.8};
   const Frame f = render(s, constant_normals(s, {0, 0, 1}), RenderPath::kAnalytic);
   EXPECT_FLOAT_EQ(f.colour.data[0], 0.05f);
@@ -42,7 +40,7 @@ TEST(RenderShading, ColourIntensityAndMaterialMultiply) {
   Scene s = quad_scene();
   s.lights[0].colour = {1, 0.5, 0.25};
   s.lights[0].intensity = 2;
-  s.materials[0].model = Lambert{{0, 0, 0}, {0.5, 0.5, 1}};
+  s.materials[0].terms = {Lambert{{0, 0, 0}, {0.5, 0.5, 1}}};
   const Frame f = render(s, constant_normals(s, {0, 0, 1}), RenderPath::kAnalytic);
   EXPECT_FLOAT_EQ(f.colour.data[0], 1.f);
   EXPECT_FLOAT_EQ(f.colour.data[1], 0.5f);
@@ -83,19 +81,9 @@ TEST(RenderShading, ABumpIsBrightOnTheSideOfTheLight) {
   EXPECT_LT(at(from_y, 1, 2), at(from_y, 1, 1));
 }
 
-TEST(RenderShading, PhongPeaksWhereTheMirroredLightMeetsTheView) {
-  const Phong phong{{}, {}, {1, 1, 1}, 50};
-  const Vec3d view = towards(30, 180), n{0, 0, 1};
-  EXPECT_NEAR(phong.reflect(n, towards(30), view).x, 1, 1e-12);
-  EXPECT_NEAR(phong.reflect(n, towards(40), view).x, std::pow(std::cos(radians(10)), 50), 1e-12);
-  EXPECT_NEAR(phong.reflect(n, towards(20), view).x, std::pow(std::cos(radians(10)), 50), 1e-12);
-  EXPECT_EQ(phong.reflect(n, towards(90), towards(60)).x, 0);
-  EXPECT_EQ(phong.reflect(n, {0, 0, -1}, {0, 0, -1}).x, 0) << "no highlight from behind";
-}
-
 TEST(RenderShading, PhongHighlightTurnsTwiceAsFastAsTheNormal) {
   Scene s = quad_scene(1);
-  s.materials[0].model = Phong{{}, {}, {1, 1, 1}, 10};
+  s.materials[0] = testing::glossy({}, {}, {1, 1, 1}, 10);
   const Frame f = render(s, constant_normals(s, towards(15)), RenderPath::kAnalytic);  // light and view along +z
   EXPECT_NEAR(f.colour.data[0], std::pow(std::cos(radians(30)), 10), 1e-6);
 }

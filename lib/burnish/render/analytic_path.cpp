@@ -8,19 +8,14 @@ class AnalyticPath final : public ShadingPath {
   explicit AnalyticPath(const FrameSetup& setup) : setup_(setup) {}
 
   Vec3d shade(std::size_t object, const SurfacePoint& point) const override {
-    const Transform& transform = setup_.scene.objects[object].transform;
-    const Vec3d position = transform.point_to_world(point.position);
-    const Vec3d n = transform.direction_to_world(normal(object, point)), to_viewer = setup_.camera.to_viewer(position);
-    return std::visit(
-        [&](const auto& model) {
-          Vec3d colour = setup_.scene.ambient * model.ambient;
-          for (const Light& light : setup_.lights) {
-            const Arriving a = arriving(light, position);
-            colour += a.colour * model.reflect(n, a.direction, to_viewer);
-          }
-          return colour;
-        },
-        material(object, point).model);
+    const Object& o = setup_.scene.objects[object];
+    const Vec3d position = o.transform.point_to_world(point.position);
+    std::vector<Arriving> lights;
+    for (const Light& light : setup_.lights) lights.push_back(arriving(light, position));
+    const Illumination in{lights, setup_.scene.ambient, setup_.camera.to_viewer(position)};
+    const Shaded shaded = material(object, point).shade(o.transform.normal_to_world(normal(object, point)), in);
+    const Vec3d base = base_colour(o.base, setup_.assets[object], point, Filter::kNearest, addressing_of(o.surface));
+    return blend(o.base.blend, base, shaded);
   }
 
   LookedUp look_up(std::size_t object, const SurfacePoint& point) const override {
@@ -40,6 +35,7 @@ class AnalyticPath final : public ShadingPath {
 
   Vec3d normal(std::size_t object, const SurfacePoint& point) const {
     const ObjectAssets& assets = setup_.assets[object];
+    if (assets.normals.empty()) return point.normal;
     const TexelPosition t = texel(object, point, assets.width, assets.height);
     const Vec3d n(assets.normals[std::size_t(t.y) * assets.width + t.x]);
     return assets.space == NormalSpace::kObject ? n : point.tangent_to_object(n);
@@ -67,7 +63,24 @@ std::unique_ptr<ShadingPath> make_analytic_path(const FrameSetup& setup) {
 }
 
 std::unique_ptr<ShadingPath> make_path(RenderPath path, const FrameSetup& setup) {
-  return path == RenderPath::kAnalytic ? make_analytic_path(setup) : make_palette_path(setup);
+  if (path == RenderPath::kAnalytic) return make_analytic_path(setup);
+  return make_palette_path(setup, path == RenderPath::kPaletteExpanded);
+}
+
+Vec3d base_colour(const BaseColour& base, const ObjectAssets& assets, const SurfacePoint& point, Filter filter,
+                  Addressing addressing) {
+  if (!assets.base_colour) return base.colour;
+  const Image& map = *assets.base_colour;
+  const auto at = [&](TexelPosition t) {
+    const float* s = map.at(t.x, t.y);
+    return Vec3d{s[0], s[1], s[2]};
+  };
+  if (filter == Filter::kNearest)
+    return base.colour * at(nearest_texel(point.u, point.v, map.width, map.height, addressing));
+  const BilinearTaps taps = bilinear_taps(point.u, point.v, map.width, map.height, addressing);
+  Vec3d sum;
+  for (int i = 0; i < 4; i++) sum += at(taps.texel[i]) * taps.weight[i];
+  return base.colour * sum;
 }
 
 }  // namespace burnish

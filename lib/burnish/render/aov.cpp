@@ -44,7 +44,7 @@ void write_aov(Aov aov, const FrameSetup& setup, const ShadingPath& path, std::s
   const Transform& transform = setup.scene.objects[object].transform;
   switch (aov) {
     case Aov::kNormal:
-      return store(transform.direction_to_world(path.look_up(object, *point).normal), out);
+      return store(transform.normal_to_world(path.look_up(object, *point).normal), out);
     case Aov::kPosition:
       return store(transform.point_to_world(point->position), out);
     case Aov::kUv:

@@ -1,8 +1,11 @@
 #include "burnish/render/assets.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "burnish/core/error.h"
+#include "burnish/mesh/mesh_io.h"
+#include "burnish/render/picture.h"
 
 namespace burnish {
 namespace {
@@ -22,6 +25,37 @@ void dequantize(ObjectAssets& assets) {
   for (std::uint16_t index : base.data) assets.normals.push_back(assets.indexed->palette.normals[index]);
 }
 
+std::shared_ptr<const MeshSurface> read_surface(const Object& object) {
+  Mesh mesh = read_mesh(object.mesh);
+  if (!object.normal_map.empty() || !object.indexed_map.empty() || !object.base.map.empty())
+    require_uvs(mesh, "since the object has maps");
+  return std::make_shared<const MeshSurface>(std::move(mesh), object.shading);
+}
+
+// Linear RGB.
+Image read_base_colour(const BaseColour& base) {
+  ImageReader reader(base.map);
+  Image stored(reader.width(), reader.height(), reader.channels());
+  reader.read_rows(0, stored.height, stored.data.data());
+  const bool srgb = base.srgb.value_or(reader.integer());
+  Image out(stored.width, stored.height, 3);
+  for (std::size_t i = 0; i < out.texels(); i++)
+    for (int c = 0; c < 3; c++) {
+      const float s = stored.data[i * stored.channels + (stored.channels >= 3 ? c : 0)];
+      if (!std::isfinite(s))
+        throw file_error(ErrorKind::kMalformed, base.map, "expected finite colours, got NaN or infinity");
+      out.data[i * 3 + c] = srgb ? float(linear_from_srgb(s)) : s;
+    }
+  return out;
+}
+
+void read_panoramas(Scene& scene) {
+  for (Material& material : scene.materials)
+    for (LightingModel& term : material.terms)
+      if (auto* environment = std::get_if<Environment>(&term))
+        environment->panorama = Panorama::read(environment->file);
+}
+
 void assign_materials(const Scene& scene, const Object& object, ObjectAssets& assets) {
   if (!scene.materials[0].id) {
     assets.only_material = &scene.materials[0];
@@ -31,8 +65,7 @@ void assign_materials(const Scene& scene, const Object& object, ObjectAssets& as
   }
   if (!assets.indexed)
     throw file_error(ErrorKind::kMalformed, scene.name,
-                     "materials have ids, and the object with '" + object.normal_map +
-                         "' has no 'indexed_map' that tells them apart");
+                     "materials have ids, and " + described(object) + " has no 'indexed_map' that tells them apart");
   for (const MaterialInterval& interval : assets.indexed->palette.materials) {
     const auto found = std::ranges::find(scene.materials, std::optional(interval.id), &Material::id);
     if (found == scene.materials.end())
@@ -45,17 +78,20 @@ void assign_materials(const Scene& scene, const Object& object, ObjectAssets& as
 
 }  // namespace
 
-std::vector<ObjectAssets> load_assets(const Scene& scene) {
+std::vector<ObjectAssets> load_assets(Scene& scene) {
+  read_panoramas(scene);
   std::vector<ObjectAssets> out;
   for (const Object& object : scene.objects) {
     ObjectAssets assets;
+    if (!object.mesh.empty()) assets.mesh = read_surface(object);
+    if (!object.base.map.empty()) assets.base_colour = read_base_colour(object.base);
     if (!object.indexed_map.empty()) {
-      assets.indexed = read_indexed_map(object.indexed_map, object.coding.green);
+      assets.indexed = read_indexed_map(object.indexed_map, object.coding.green, object.palette);
       assets.space = assets.indexed->palette.space;
     }
     if (object.normal_space) assets.space = *object.normal_space;
-    if (object.normal_map.empty()) dequantize(assets);
-    else read_normal_map(object, assets);
+    if (!object.normal_map.empty()) read_normal_map(object, assets);
+    else if (assets.indexed) dequantize(assets);
     assign_materials(scene, object, assets);
     out.push_back(std::move(assets));
   }

@@ -1,7 +1,8 @@
-// What a scene's files hold, in memory: for each object its normals, its indexed map and which material
-// serves which texel.
+// What a scene's files hold, in memory: for each object its mesh, its normals, its indexed map, which material serves
+// which texel, and its base colour.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,7 +12,11 @@
 namespace burnish {
 
 struct ObjectAssets {
-  // The unquantized normal map; where the object has none, the indexed map's base level through its palette.
+  std::shared_ptr<const MeshSurface> mesh;  // null for other surfaces
+  std::optional<Image> base_colour;         // linear RGB; none where the object has no such map
+
+  // The unquantized normal map; where the object has none, the indexed map's base level through its palette; empty
+  // where it has neither.
   int width = 0, height = 0;
   std::vector<Vec3f> normals;
   NormalSpace space = NormalSpace::kTangent;
@@ -22,9 +27,9 @@ struct ObjectAssets {
   const Material* only_material = nullptr;          // serves all texels; null where intervals decide
 };
 
-// One entry an object. The scene must outlive the result.
-// Errors: of the files; kMalformed where an interval's id has no material, or materials have ids and no
-// indexed map tells them apart.
-std::vector<ObjectAssets> load_assets(const Scene& scene);
+// One entry an object; environment maps go into the scene's materials. The scene must outlive the result.
+// Errors: of the files; kMalformed where an interval's id has no material, where materials have ids and no indexed map
+// tells them apart, or where a mesh has maps and no texture coordinates.
+std::vector<ObjectAssets> load_assets(Scene& scene);
 
 }  // namespace burnish

@@ -13,17 +13,19 @@ struct Seen {
   SurfacePoint point;
 };
 
-std::optional<Seen> nearest_point(const Scene& scene, const Ray& ray) {
+std::optional<Seen> nearest_point(const FrameSetup& setup, const Ray& ray) {
   std::optional<Seen> seen;
-  for (std::size_t i = 0; i < scene.objects.size(); i++) {
-    const Transform& m = scene.objects[i].transform;
+  for (std::size_t i = 0; i < setup.scene.objects.size(); i++) {
+    const Object& object = setup.scene.objects[i];
+    const Transform& m = object.transform;
     const Ray local{m.point_to_object(ray.origin),
                     m.direction_to_object(ray.direction),
                     m.direction_to_object(ray.dorigin_dx),
                     m.direction_to_object(ray.dorigin_dy),
                     m.direction_to_object(ray.ddirection_dx),
                     m.direction_to_object(ray.ddirection_dy)};
-    const std::optional<SurfacePoint> point = intersect(scene.objects[i].surface, local);
+    const MeshSurface* mesh = setup.assets[i].mesh.get();
+    const std::optional<SurfacePoint> point = mesh ? mesh->intersect(local) : intersect(object.surface, local);
     if (point && (!seen || point->t < seen->point.t)) seen = Seen{i, *point};
   }
   return seen;
@@ -38,7 +40,7 @@ class PixelLoop {
     for (int x = 0; x < frame_.colour.width; x++) {
       colour(x, y);
       if (aovs_.empty()) continue;
-      const std::optional<Seen> seen = nearest_point(setup_.scene, setup_.camera.ray(x + 0.5, y + 0.5));
+      const std::optional<Seen> seen = nearest_point(setup_, setup_.camera.ray(x + 0.5, y + 0.5));
       for (std::size_t i = 0; i < aovs_.size(); i++)
         write_aov(aovs_[i], setup_, path_, seen ? seen->object : 0, seen ? &seen->point : nullptr,
                   frame_.aovs[i].at(x, y));
@@ -53,7 +55,7 @@ class PixelLoop {
     for (int j = 0; j < n; j++)
       for (int i = 0; i < n; i++) {
         const Ray ray = setup_.camera.ray(x + (i + 0.5) / n, y + (j + 0.5) / n);
-        const std::optional<Seen> seen = nearest_point(setup_.scene, ray);
+        const std::optional<Seen> seen = nearest_point(setup_, ray);
         covered |= seen.has_value();
         sum += seen ? path_.shade(seen->object, seen->point) : setup_.scene.image.background;
       }

@@ -40,8 +40,4 @@ inline Light turned(Light light, const Rotation& rotation) {
   return light;
 }
 
-// Below it the cosine between normal and light is taken for grazing, and not lit: what is left of an exact 0
-// after a rotation must not decide whether a highlight appears.
-inline constexpr double kGrazing = 1e-9;
-
 }  // namespace burnish

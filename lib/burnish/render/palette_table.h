@@ -1,24 +1,53 @@
-// The colour table C: every normal of a palette shaded once (Tarini et al., section 5.1).
+// The colour table C: every normal of a palette shaded once a frame (Tarini et al., section 5.1).
 //
-//   C[i] = ambient · k_a + Σ_lights colour · reflect_m(n_i, l, v),  m the material of the interval that holds
-//   i
-//
-// Light, view and normals are in object space, and the same for the whole table. An interval is one loop over
-// one lighting model: no entry asks which model it has (section 6).
+// What an entry holds depends on how colours are blended (section 7):
+//   RGB               the colour itself                                          (r, g, b)
+//   intensity         α, to multiply a base colour with                          (α)
+//   intensity + RGB   the reflected light, and α                                 (r, g, b, α)
+// α is the luminance of the diffuse part. Single precision: within 1e-6 of the models' own double precision for
+// highlights of exponents up to a thousand.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "burnish/palette/indexed_map.h"
-#include "burnish/render/light.h"
-#include "burnish/render/material.h"
+#include "burnish/render/blend.h"
+#include "burnish/render/lighting/material.h"
+#include "burnish/render/transform.h"
 
 namespace burnish {
 
-// `materials`: one an interval of the palette, none null. `to_viewer` and the lights' directions are unit
-// vectors. Runs in parallel; each entry depends on its own normal only.
-std::vector<Vec3d> shade_palette(const Palette& palette, std::span<const Material* const> materials, Vec3d ambient,
-                                 std::span<const Arriving> lights, Vec3d to_viewer);
+enum class TableKind { kRgb, kIntensity, kIntensityAndRgb };
+const char* name(TableKind kind);  // "rgb", "intensity", "intensity+rgb"
+
+// An intensity alone is enough where no material reflects anything on top of its diffuse part.
+TableKind table_kind(Blend blend, std::span<const Material* const> materials);
+
+class PaletteTable {
+ public:
+  // `materials`: one an interval of the palette, none null; they outlive the table. Stretching the normals by the
+  // transform's scale is done here, once.
+  PaletteTable(const Palette& palette, std::span<const Material* const> materials, const Transform& transform,
+               TableKind kind);
+
+  // Shades all entries: directions go into object space by the inverse of the model's turn, and an interval is one loop
+  // over each of its material's models, so that no entry asks which it has (section 6). In parallel; an entry depends
+  // on its own normal only.
+  void shade(const Illumination& world);
+
+  TableKind kind() const { return kind_; }
+  int channels() const { return int(planes_.size()); }
+  // Of all entries, one channel.
+  const std::vector<float>& plane(int channel) const { return planes_[channel]; }
+
+ private:
+  std::span<const Material* const> materials_;
+  std::vector<MaterialInterval> intervals_;
+  Rotation rotation_;
+  TableKind kind_;
+  std::vector<double> x_, y_, z_;  // unit normals, stretched
+  std::vector<std::vector<float>> planes_;
+};
 
 }  // namespace burnish

@@ -29,6 +29,11 @@ double srgb_from_linear(double linear) {
   return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
 }
 
+double linear_from_srgb(double srgb) {
+  const double c = std::clamp(srgb, 0.0, 1.0);
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
 Image srgb_picture(const Image& linear, double exposure_stops) {
   const double gain = std::exp2(exposure_stops);
   Image out(linear.width, linear.height, linear.channels);

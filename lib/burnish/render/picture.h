@@ -11,6 +11,8 @@ namespace burnish {
 // The transfer function of IEC 61966-2-1, [0,1] to [0,1]: 12.92·c up to 0.0031308, 1.055·c^(1/2.4) − 0.055
 // above. Values beyond [0,1] take the nearer end.
 double srgb_from_linear(double linear);
+// Its inverse, [0,1] to [0,1].
+double linear_from_srgb(double srgb);
 
 // A picture's samples in sRGB, in [0,1], after multiplication by 2^exposure; ready for an integer
 // ImageWriter.

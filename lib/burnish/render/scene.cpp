@@ -68,7 +68,10 @@ Light light(const TomlTable& t) {
 
 Surface surface(const TomlTable& t) {
   Surface s;
-  s.type = t.choice<SurfaceType>("surface", {{"quad", SurfaceType::kQuad}, {"sphere", SurfaceType::kSphere}}, s.type);
+  s.type = t.choice<SurfaceType>(
+      "surface", {{"quad", SurfaceType::kQuad}, {"sphere", SurfaceType::kSphere}, {"mesh", SurfaceType::kMesh}},
+      s.type);
+  if (s.type == SurfaceType::kMesh) return s;
   if (s.type == SurfaceType::kSphere) {
     s.radius = t.number("radius", kPositive, s.radius);
     return s;
@@ -91,16 +94,45 @@ std::string map_path(const TomlTable& t, const std::string& key, const std::stri
   return (std::filesystem::path(directory) / path).string();
 }
 
+// One number for all axes, or one each.
+Vec3d scale(const TomlTable& t) {
+  if (t.has_array("scale")) return t.vector("scale", kPositive);
+  const double s = t.number("scale", kPositive, 1.0);
+  return {s, s, s};
+}
+
+BaseColour base_colour(const TomlTable& t, const std::string& directory) {
+  BaseColour base;
+  const bool given = t.has("base_color") || t.has("base_color_map");
+  base.colour = t.vector("base_color", kNotNegative, base.colour);
+  base.map = map_path(t, "base_color_map", directory);
+  if (!base.map.empty() && t.has("base_color_transfer"))
+    base.srgb = t.choice<bool>("base_color_transfer", {{"srgb", true}, {"linear", false}});
+  base.blend = t.choice<Blend>(
+      "blend", {{"exact", Blend::kExact}, {"approximate", Blend::kApproximate}, {"material", Blend::kMaterial}},
+      given ? Blend::kExact : Blend::kMaterial);
+  if (given && base.blend == Blend::kMaterial)
+    t.fail("blend", "expected exact or approximate, since material takes no base colour, got 'material'");
+  return base;
+}
+
 Object object(const TomlTable& t, const std::string& directory) {
   Object o;
   o.surface = surface(t);
   o.transform.translation = t.vector("translate", kAnyNumber, Vec3d{});
   const Vec3d turn_deg = t.vector("rotate_deg", kAnyNumber, Vec3d{});
   o.transform.rotation = rotation_xyz({radians(turn_deg.x), radians(turn_deg.y), radians(turn_deg.z)});
+  o.transform.scale = scale(t);
+  if (o.surface.type == SurfaceType::kMesh) {
+    o.mesh = map_path(t, "mesh", directory);
+    if (o.mesh.empty()) t.fail("mesh", "expected the mesh's file name, got nothing");
+    o.shading =
+        t.choice<MeshShading>("shading", {{"smooth", MeshShading::kSmooth}, {"flat", MeshShading::kFlat}}, o.shading);
+  }
   o.normal_map = map_path(t, "normal_map", directory);
   o.indexed_map = map_path(t, "indexed_map", directory);
-  if (o.normal_map.empty() && o.indexed_map.empty())
-    t.fail("normal_map", "expected a file name here or in 'indexed_map', got nothing");
+  if (!o.indexed_map.empty()) o.palette = map_path(t, "palette", directory);
+  o.base = base_colour(t, directory);
   if (t.has("normal_space"))
     o.normal_space =
         t.choice<NormalSpace>("normal_space", {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}});
@@ -124,33 +156,97 @@ Object object(const TomlTable& t, const std::string& directory) {
   return o;
 }
 
-Material material(const TomlTable& t) {
-  enum class Model { kLambert, kPhong };
+template <typename Model>
+Model glossy(const TomlTable& t, const Lambert& lambert) {
+  Model m;
+  m.ambient = lambert.ambient, m.diffuse = lambert.diffuse;
+  m.specular = t.vector("specular", kNotNegative, m.specular);
+  m.exponent = t.number("exponent", kExponent, m.exponent);
+  return m;
+}
+
+Lambert lambert(const TomlTable& t) {
+  Lambert m;
+  m.diffuse = t.vector("diffuse", kNotNegative, m.diffuse);
+  m.ambient = t.vector("ambient", kNotNegative, m.diffuse);
+  return m;
+}
+
+Cartoon cartoon(const TomlTable& t) {
+  Cartoon m;
+  m.diffuse = t.vector("diffuse", kNotNegative, m.diffuse);
+  m.shadow = t.vector("shadow", kNotNegative, m.diffuse * 0.3);
+  m.bands = t.integer("bands", 2, 256, m.bands);
+  m.outline = t.vector("outline", kNotNegative, m.outline);
+  m.outline_cosine = t.number("outline_cosine", {0, 1, "a cosine from 0 to 1"}, m.outline_cosine);
+  return m;
+}
+
+Chrome chrome(const TomlTable& t) {
+  Chrome m;
+  m.specular = t.vector("specular", kNotNegative, m.specular);
+  m.sky = t.vector("sky", kNotNegative, m.sky);
+  m.horizon = t.vector("horizon", kNotNegative, m.horizon);
+  m.ground = t.vector("ground", kNotNegative, m.ground);
+  m.nadir = t.vector("nadir", kNotNegative, m.nadir);
+  return m;
+}
+
+Environment environment(const TomlTable& t, const std::string& directory) {
+  Environment m;
+  m.file = map_path(t, "map", directory);
+  if (m.file.empty()) t.fail("map", "expected the panorama's file name, got nothing");
+  m.specular = t.vector("specular", kNotNegative, m.specular);
+  m.turn_rad = radians(t.number("turn_deg", kAnyNumber, 0.0));
+  return m;
+}
+
+LightingModel lighting_model(const TomlTable& t, const std::string& directory) {
+  enum class Model { kLambert, kPhong, kNprDouble, kCartoon, kChrome, kEnvironment };
+  switch (t.choice<Model>("model",
+                          {{"lambert", Model::kLambert},
+                           {"phong", Model::kPhong},
+                           {"npr-double", Model::kNprDouble},
+                           {"cartoon", Model::kCartoon},
+                           {"chrome", Model::kChrome},
+                           {"environment", Model::kEnvironment}},
+                          Model::kLambert)) {
+    case Model::kPhong:
+      return glossy<Phong>(t, lambert(t));
+    case Model::kNprDouble:
+      return glossy<NprDouble>(t, lambert(t));
+    case Model::kCartoon:
+      return cartoon(t);
+    case Model::kChrome:
+      return chrome(t);
+    case Model::kEnvironment:
+      return environment(t, directory);
+    case Model::kLambert:
+      break;
+  }
+  return lambert(t);
+}
+
+// One model with its keys, or a sum of them, a [[material.term]] each.
+Material material(const TomlTable& t, const std::string& directory) {
   Material m;
   if (t.has("id")) m.id = t.integer("id", 0, 255);
-  const Model model =
-      t.choice<Model>("model", {{"lambert", Model::kLambert}, {"phong", Model::kPhong}}, Model::kLambert);
-  const Vec3d diffuse = t.vector("diffuse", kNotNegative, Vec3d{1, 1, 1});
-  const Vec3d ambient = t.vector("ambient", kNotNegative, diffuse);
-  if (model == Model::kLambert) {
-    m.model = Lambert{ambient, diffuse};
-  } else {
-    Phong phong;
-    phong.ambient = ambient, phong.diffuse = diffuse;
-    phong.specular = t.vector("specular", kNotNegative, phong.specular);
-    phong.exponent = t.number("exponent", kExponent, phong.exponent);
-    m.model = phong;
+  m.terms.clear();
+  for (const TomlTable& term : t.tables("term")) {
+    m.terms.push_back(lighting_model(term, directory));
+    term.refuse_unknown();
   }
+  if (m.terms.empty()) m.terms.push_back(lighting_model(t, directory));
   t.refuse_unknown();
   return m;
 }
 
-std::vector<Material> materials(const TomlTable& root) {
+std::vector<Material> materials(const TomlTable& root, const std::string& directory) {
   std::vector<Material> out;
   std::set<int> ids;
   const std::vector<TomlTable> blocks = root.tables("material");
   for (const TomlTable& t : blocks) {
-    out.push_back(material(t));
+    out.push_back(material(t, directory));
     if (!out.back().id && blocks.size() > 1)
       t.fail("id", "expected an id from 0 to 255 in each of several materials, got none");
     if (out.back().id && !ids.insert(*out.back().id).second)
@@ -178,35 +274,46 @@ ValidationSettings validation(const TomlTable& t) {
 
 }  // namespace
 
-const char* name(RenderPath path) { return path == RenderPath::kAnalytic ? "analytic" : "palette"; }
+const char* name(RenderPath path) {
+  switch (path) {
+    case RenderPath::kPalette:
+      return "palette";
+    case RenderPath::kPaletteExpanded:
+      return "palette-expanded";
+    case RenderPath::kAnalytic:
+      break;
+  }
+  return "analytic";
+}
 
 RenderPath render_path(const std::string& name, ErrorKind unknown) {
-  static const std::set<std::string> kLater{"palette-expanded",
-                                            "banks",
-                                            "banks-approximate",
-                                            "blinn-phong",
-                                            "blinn-phong-eq1",
-                                            "ward",
-                                            "combiner",
-                                            "imaging",
-                                            "strand-ps11",
-                                            "strand-ps14",
-                                            "strand-bump",
-                                            "strand-bump-unnormalised",
-                                            "ptm",
-                                            "ptm-brdf"};
-  for (RenderPath path : {RenderPath::kAnalytic, RenderPath::kPalette})
+  static const std::set<std::string> kLater{
+      "banks",       "banks-approximate", "blinn-phong", "blinn-phong-eq1",          "ward", "combiner", "imaging",
+      "strand-ps11", "strand-ps14",       "strand-bump", "strand-bump-unnormalised", "ptm",  "ptm-brdf"};
+  for (RenderPath path : {RenderPath::kAnalytic, RenderPath::kPalette, RenderPath::kPaletteExpanded})
     if (name == burnish::name(path)) return path;
   if (kLater.contains(name))
-    throw Error(ErrorKind::kUnsupported, "path '" + name + "' is not there yet; there are analytic and palette");
-  throw Error(unknown, "expected a path, analytic or palette, got '" + name + "'");
+    throw Error(ErrorKind::kUnsupported,
+                "path '" + name + "' is not there yet; there are analytic, palette and palette-expanded");
+  throw Error(unknown, "expected a path, analytic, palette or palette-expanded, got '" + name + "'");
+}
+
+std::string described(const Object& object) {
+  for (const std::string& file : {object.indexed_map, object.normal_map, object.mesh})
+    if (!file.empty()) return "the object with '" + file + "'";
+  return std::string("the ") + name(object.surface.type);
 }
 
 std::vector<std::string> Scene::files() const {
   std::vector<std::string> out;
+  const auto add = [&](const std::string& file) {
+    if (!file.empty() && std::ranges::find(out, file) == out.end()) out.push_back(file);
+  };
   for (const Object& o : objects)
-    for (const std::string& file : {o.normal_map, o.indexed_map})
-      if (!file.empty() && std::ranges::find(out, file) == out.end()) out.push_back(file);
+    for (const std::string& file : {o.mesh, o.normal_map, o.indexed_map, o.palette, o.base.map}) add(file);
+  for (const Material& m : materials)
+    for (const LightingModel& term : m.terms)
+      if (const auto* environment = std::get_if<Environment>(&term)) add(environment->file);
   return out;
 }
 
@@ -230,7 +337,7 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::str
   scene.turn_axis = unit_vector(root, "turn_axis", scene.camera.up);
   for (const TomlTable& t : root.tables("object")) scene.objects.push_back(object(t, directory));
   if (scene.objects.empty()) root.fail("object", "expected at least one [[object]], got none");
-  scene.materials = materials(root);
+  scene.materials = materials(root, directory);
   scene.validation = validation(root.table("validate"));
   root.refuse_unknown();
   return scene;

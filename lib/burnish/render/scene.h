@@ -15,31 +15,48 @@
 #include "burnish/core/vec3.h"
 #include "burnish/normal/coding.h"
 #include "burnish/palette/indexed_map.h"
+#include "burnish/render/blend.h"
 #include "burnish/render/camera.h"
 #include "burnish/render/light.h"
+#include "burnish/render/lighting/material.h"
 #include "burnish/render/lookup.h"
-#include "burnish/render/material.h"
+#include "burnish/render/mesh_surface.h"
 #include "burnish/render/mip_level.h"
 #include "burnish/render/surface.h"
 #include "burnish/render/transform.h"
 
 namespace burnish {
 
-enum class RenderPath { kAnalytic, kPalette };
-const char* name(RenderPath path);  // "analytic", "palette"
+enum class RenderPath { kAnalytic, kPalette, kPaletteExpanded };
+const char* name(RenderPath path);  // "analytic", "palette", "palette-expanded"
 // kUnsupported for a path that is not built yet, `unknown` for a name that means nothing; both say what there
 // is.
 RenderPath render_path(const std::string& name, ErrorKind unknown);
 
+// The surface's own colour, which shading is blended with (Tarini et al., section 7).
+struct BaseColour {
+  Vec3d colour{1, 1, 1};
+  std::string map;                 // empty: none; otherwise multiplied by the colour
+  std::optional<bool> srgb;        // whether the map's samples are; none: integers are, floats are linear
+  Blend blend = Blend::kMaterial;  // kMaterial: there is no base colour
+};
+
 struct Object {
   Surface surface;
+  std::string mesh;  // surface mesh: its file
+  MeshShading shading = MeshShading::kSmooth;
   Transform transform;
-  std::string normal_map, indexed_map;      // empty: none; at least one is given
+  std::string normal_map, indexed_map;  // empty: none; with neither the surface's own normals are shaded
+  std::string palette;                  // of an indexed map whose file holds none (DDS); otherwise empty
+  BaseColour base;
   std::optional<NormalSpace> normal_space;  // of both maps; none: as the indexed map says, otherwise tangent
   NormalCoding coding;  // of the normal map; its green axis also of an indexed map that does not tell its own
   Filter filter = Filter::kNearest;
   MipMode mip = MipMode::kOff;
 };
+
+// For messages: the object with 'a.exr', by the first file it has; otherwise the quad or the sphere.
+std::string described(const Object& object);
 
 struct ImageSettings {
   int width = 512, height = 512;

@@ -22,7 +22,7 @@ struct FrameSetup {
 // What a path looks up at a point, for auxiliary images. Of filtered lookups it is the nearest texel of the
 // nearest level.
 struct LookedUp {
-  Vec3d normal;       // object space
+  Vec3d normal;       // object space, of any length
   int index = -1;     // into the palette; −1 where the object has none
   int material = -1;  // id of the texel's interval; −1 where there is none
   int level = 0;
@@ -47,7 +47,13 @@ std::unique_ptr<ShadingPath> make_analytic_path(const FrameSetup& setup);
 // only look colours up (Tarini et al., section 5). Exact for directional lights under an orthographic view.
 // kMalformed where an object has no indexed map, where its palette is in tangent space and the surface is not
 // flat, or where mip levels are asked for and the map has but one.
-std::unique_ptr<ShadingPath> make_palette_path(const FrameSetup& setup);
+// Expanded: for each frame the whole map is turned into colours first, as the paper does where hardware has no
+// palettes.
+std::unique_ptr<ShadingPath> make_palette_path(const FrameSetup& setup, bool expanded);
+
+// The base colour at a point, of one texel or filtered; white where there is none.
+Vec3d base_colour(const BaseColour& base, const ObjectAssets& assets, const SurfacePoint& point, Filter filter,
+                  Addressing addressing);
 
 std::unique_ptr<ShadingPath> make_path(RenderPath path, const FrameSetup& setup);
 

@@ -5,6 +5,7 @@
 //         that of object space everywhere.
 // sphere  around the origin; latitude and longitude, v up (+y), u = ½ facing +z and growing towards +x:
 //         p = r·(sin λ cos φ, sin φ, cos λ cos φ), u = ½ + λ/2π, v = ½ + φ/π.
+// mesh    triangles of a file, whose outside is where their corners turn counter-clockwise: see mesh_surface.h.
 // Only the outside is there: a ray that comes from behind passes through.
 #pragma once
 
@@ -15,8 +16,8 @@
 
 namespace burnish {
 
-enum class SurfaceType { kQuad, kSphere };
-const char* name(SurfaceType type);  // "quad", "sphere"
+enum class SurfaceType { kQuad, kSphere, kMesh };
+const char* name(SurfaceType type);  // "quad", "sphere", "mesh"
 
 struct Surface {
   SurfaceType type = SurfaceType::kQuad;
@@ -29,18 +30,23 @@ struct Surface {
 };
 
 struct SurfacePoint {
-  double t;                  // of the ray
-  Vec3d position;            // object space
-  Vec3d tangent, bitangent;  // along +u and +v; unit, with the normal a right-handed frame
-  Vec3d normal;              // geometric, outwards
-  double u, v;               // texture coordinates
+  double t;                                // of the ray
+  Vec3d position;                          // object space
+  Vec3d normal;                            // unit, outwards; of a mesh the shading normal
+  Vec3d tangent, bitangent, frame_normal;  // the tangent frame, along +u, +v and outwards; of a mesh not unit
+  double u, v;                             // texture coordinates
   double du_dx, dv_dx, du_dy,
       dv_dy;  // change per pixel, on the tangent plane (Igehy, "Tracing ray differentials", 1999)
 
-  Vec3d tangent_to_object(Vec3d n) const { return tangent * n.x + bitangent * n.y + normal * n.z; }
+  // Of any length.
+  Vec3d tangent_to_object(Vec3d n) const { return tangent * n.x + bitangent * n.y + frame_normal * n.z; }
 };
 
 // The nearest point at t > 0 that is seen from outside; the ray is given in object space.
+// For quads and spheres.
 std::optional<SurfacePoint> intersect(const Surface& surface, const Ray& ray);
+
+// Fills the derivatives from the gradients of u and v over object space, which lie in the plane across `normal`.
+void differentiate(const Ray& ray, Vec3d normal, Vec3d gradient_u, Vec3d gradient_v, SurfacePoint& point);
 
 }  // namespace burnish

@@ -73,6 +73,11 @@ TomlTable TomlTable::parse(std::string_view text, const std::string& name) {
 
 bool TomlTable::has(const std::string& key) const { return impl_->find(key) != nullptr; }
 
+bool TomlTable::has_array(const std::string& key) const {
+  const toml::node* node = impl_->find(key);
+  return node && node->is_array();
+}
+
 void TomlTable::fail(const std::string& key, const std::string& message) const {
   const toml::node* node = impl_->table->get(key);
   fail_at(impl_->file, node ? line_of(*node) : impl_->line, "'" + impl_->prefix + key + "': " + message);

@@ -1,5 +1,6 @@
-// Where an object stands in the world: a rotation, then a translation. Sizes belong to the surfaces, so that
-// a normal turns as any direction does and the inverse is exact.
+// Where an object stands in the world: it is stretched along its own axes, turned, and moved.
+//
+// Normals are not directions: they stay perpendicular to the surface, and so go by the inverse of the stretch.
 #pragma once
 
 #include <cmath>
@@ -31,15 +32,21 @@ inline Rotation rotation_xyz(Vec3d angles_rad) {
   return {turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})};
 }
 
-// world = rotation · object + translation
+// world = rotation · (scale · object) + translation; scale is above 0 along each axis.
 struct Transform {
   Rotation rotation;
   Vec3d translation;
+  Vec3d scale{1, 1, 1};
 
-  Vec3d point_to_world(Vec3d p) const { return rotation.apply(p) + translation; }
-  Vec3d point_to_object(Vec3d p) const { return rotation.inverse(p - translation); }
-  Vec3d direction_to_world(Vec3d d) const { return rotation.apply(d); }
-  Vec3d direction_to_object(Vec3d d) const { return rotation.inverse(d); }
+  Vec3d point_to_world(Vec3d p) const { return rotation.apply(p * scale) + translation; }
+  Vec3d point_to_object(Vec3d p) const { return direction_to_object(p - translation); }
+  Vec3d direction_to_object(Vec3d d) const { return divided(rotation.inverse(d)); }
+  // A normal of any length, as a unit vector, stretched but not turned yet.
+  Vec3d stretched_normal(Vec3d n) const { return normalized(divided(n)); }
+  Vec3d normal_to_world(Vec3d n) const { return rotation.apply(stretched_normal(n)); }
+
+ private:
+  Vec3d divided(Vec3d v) const { return {v.x / scale.x, v.y / scale.y, v.z / scale.z}; }
 };
 
 }  // namespace burnish

@@ -1,0 +1,38 @@
+#include "burnish/render/lighting/environment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "burnish/core/error.h"
+#include "burnish/render/lookup.h"
+#include "burnish/render/transform.h"
+
+namespace burnish {
+
+std::shared_ptr<const Panorama> Panorama::read(const FileRef& file) {
+  Image image = read_image(file);
+  if (image.channels == 2)
+    throw file_error(ErrorKind::kMalformed, file.name, "expected a panorama of 1, 3 or 4 channels, got 2");
+  if (!std::ranges::all_of(image.data, [](float x) { return std::isfinite(x); }))
+    throw file_error(ErrorKind::kMalformed, file.name, "expected finite values, got NaN or infinity");
+  return std::make_shared<const Panorama>(std::move(image));
+}
+
+Vec3d Panorama::at(Vec3d d) const {
+  const double u = 0.5 + std::atan2(d.x, -d.z) / (2 * kPi), v = 0.5 + std::asin(std::clamp(d.y, -1.0, 1.0)) / kPi;
+  const BilinearTaps taps = bilinear_taps(u, v, image_.width, image_.height, {.repeat_v = false});
+  Vec3d sum;
+  for (int i = 0; i < 4; i++) {
+    const float* s = image_.at(taps.texel[i].x, taps.texel[i].y);
+    const int g = image_.channels >= 3 ? 1 : 0;
+    sum += Vec3d{s[0], s[g], s[2 * g]} * taps.weight[i];
+  }
+  return sum;
+}
+
+Shaded Environment::shade(Vec3d n, const Illumination& in) const {
+  const Vec3d d = mirrored(in.to_viewer, n);
+  return {{}, specular * panorama->at(turn_rad == 0 ? d : rotation_about({0, 1, 0}, -turn_rad).apply(d))};
+}
+
+}  // namespace burnish
