@@ -1,5 +1,9 @@
 // burnish-normals: displacement map to normal map.
 #include "burnish/core/error.h"
+#include "burnish/mesh/baked_files.h"
+#include "burnish/mesh/displaced_normals.h"
+#include "burnish/mesh/gutter.h"
+#include "burnish/mesh/mesh_io.h"
 #include "burnish/normal/height_map.h"
 #include "cli/options.h"
 #include "cli/tool.h"
@@ -21,17 +25,67 @@ void parse_size(const std::string& text, HeightMapOptions& options) {
     throw CLI::ValidationError("--size", "expected positive lengths, got '" + text + "'");
 }
 
+// What --mesh adds.
+struct MeshOptions {
+  std::string file;
+  std::string space;  // empty: object with a mesh, tangent without
+  int padding = 16;
+
+  void add_to(CLI::App& app, CLI::Option* size) {
+    CLI::Option* mesh =
+        app.add_option("--mesh", file,
+                       "Displace this mesh through its texture coordinates, which lie in [0,1], and write object-space "
+                       "normals; --height is in its units")
+            ->type_name("FILE")
+            ->excludes(size);
+    app.add_option("--space", space, "Space of the normals: object with --mesh, tangent without (the defaults)")
+        ->check(CLI::IsMember({"tangent", "object"}))
+        ->type_name("tangent|object");
+    app.add_option("--padding", padding, "With --mesh: gutter round each chart, in texels (default 16)")
+        ->check(CLI::Range(0, 65536))
+        ->type_name("PX")
+        ->needs(mesh);
+  }
+
+  void check() const {
+    if (space == "object" && file.empty())
+      throw Error(ErrorKind::kUsage, "--space object needs --mesh: without one there is no object");
+    if (space == "tangent" && !file.empty())
+      throw Error(ErrorKind::kUsage, "--space tangent goes without --mesh: in tangent space no mesh matters");
+  }
+};
+
+Json report_of(const HeightMapStats& stats) {
+  return {{"width", stats.width},
+          {"height", stats.height},
+          {"max_slope_deg", stats.max_slope_deg},
+          {"mean_tilt_deg", stats.mean_tilt_deg},
+          {"degenerate_texels", stats.degenerate_texels}};
+}
+
+Json report_of(const DisplacedNormals& map) {
+  return {{"width", map.width},
+          {"height", map.height},
+          {"max_slope_deg", map.max_slope_deg},
+          {"mean_tilt_deg", map.mean_tilt_deg},
+          {"degenerate_texels", map.degenerate_texels},
+          {"covered_texels", map.covered_texels},
+          {"overlapped_texels", map.overlapped_texels}};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   Tool tool({"burnish-normals", "Displacement map to normal map, by a least-squares plane per texel.",
-             "  burnish-normals rocks.tif -o rocks_n.png --height 10cm --size 2m --wrap repeat"});
+             "  burnish-normals rocks.tif -o rocks_n.png --height 10cm --size 2m --wrap repeat\n"
+             "  burnish-normals bark.tif -o trunk_n.png --mesh trunk.obj --height 0.02 --mid-level 0.5"});
   CLI::App& app = tool.app();
   std::string input;
   ImageOutput output;
   HeightMapOptions options;
   NormalCoding coding;
   std::string mask;
+  MeshOptions mesh;
 
   app.add_option("HEIGHT", input, "Displacement map; '-' is standard input")->required();
   output.add_to(app);
@@ -40,10 +94,10 @@ int main(int argc, char** argv) {
          "Displacement of the value 1.0, in the units of --size: 2m, 10cm, 5mm or a number, which counts as metres "
          "beside them (default 1)")
       ->type_name("H");
-  app.add_option_function<std::string>(
-         "--size", [&](const std::string& t) { parse_size(t, options); },
-         "Extent of the whole map, as 2m or 2mx1m (default: one unit a texel)")
-      ->type_name("W[xH]");
+  CLI::Option* size = app.add_option_function<std::string>(
+                             "--size", [&](const std::string& t) { parse_size(t, options); },
+                             "Extent of the whole map, as 2m or 2mx1m (default: one unit a texel)")
+                          ->type_name("W[xH]");
   app.add_option("--neighbors", options.neighbors, "Texels that the plane is fitted to: 4, 8, 24, 48 or 80 (default 4)")
       ->check(CLI::IsMember({4, 8, 24, 48, 80}))
       ->type_name("Q");
@@ -61,28 +115,41 @@ int main(int argc, char** argv) {
   add_wrap("--wrap-v", wrap_v, "The same, for the top and bottom sides only");
   app.add_option("--mask", mask, "Texels where it is 0 take no part and store (0,0,1)")->type_name("FILE");
   app.add_option("--mid-level", options.mid_level,
-                 "Stored value that means no displacement (default 0); no slope depends on it")
+                 "Stored value that means no displacement (default 0); without --mesh no slope depends on it")
       ->type_name("M");
   app.add_option("--channel", options.channel,
                  "Channel of the heights, by name or by number from 0 (default the first)")
       ->type_name("C");
+  mesh.add_to(app, size);
   add_normal_coding(app, coding, false);
 
   return tool.run(argc, argv, [&]() -> Json {
     options.wrap_u = wrap_u.value_or(wrap.value_or(Wrap::kFit));
     options.wrap_v = wrap_v.value_or(wrap.value_or(Wrap::kFit));
+    mesh.check();
     const FileType type = output.type();
     const SampleType sample = output.sample();
     const FileRef height = tool.read(input);
+    const FileRef mesh_file = mesh.file.empty() ? FileRef() : tool.read(mesh.file);
     if (!mask.empty()) options.mask = tool.read(mask);
     const NormalMapTarget target{tool.write(output.path), type, sample, coding};
-    const HeightMapStats stats = convert_height_map(height, options, target, tool.progress());
-    if (stats.colour_channels_differ)
+    const auto warn_of_colours = [&] {
       tool.warn("'" + input + "': colour channels differ; the first was taken for the height (--channel chooses)");
-    return {{"width", stats.width},
-            {"height", stats.height},
-            {"max_slope_deg", stats.max_slope_deg},
-            {"mean_tilt_deg", stats.mean_tilt_deg},
-            {"degenerate_texels", stats.degenerate_texels}};
+    };
+    if (mesh.file.empty()) {
+      const HeightMapStats stats = convert_height_map(height, options, target, tool.progress());
+      if (stats.colour_channels_differ) warn_of_colours();
+      return report_of(stats);
+    }
+    require_encodable(coding, sample, target.file.name);
+    const HeightField field = read_height_field(height, options);
+    DisplacedNormals map = displaced_normals(read_mesh(mesh_file), field, options, tool.progress());
+    fill_gutter(gutter_sources(map.covered, mesh.padding), map.normals);
+    write_baked_normals(target, map.width, map.height, map.normals);
+    if (field.colour_channels_differ) warn_of_colours();
+    if (map.overlapped_texels)
+      tool.warn("'" + mesh.file + "': " + std::to_string(map.overlapped_texels) +
+                " texels are covered by more than one triangle, and hold the first one's normal");
+    return report_of(map);
   });
 }

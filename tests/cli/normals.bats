@@ -297,3 +297,103 @@ PYTHON
   refuses 3 "too steep" burnish-normals h.png -o x.exr --size 1e-100
   refuses 3 "too steep" burnish-normals h.png -o x.png --height 1e200
 }
+
+# Two triangles over the unit square, which is the left half of the map.
+half_square() {
+  printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.5 0\nvt 0.5 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n'
+}
+
+@test "--mesh: object-space normals, in the mesh's units" {
+  make_image slope-u 16 16 h.exr float
+  # The square stands upright: u runs along x, v along z; so it faces −y. Heights rise by 1 over the map.
+  printf 'v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n' >wall.obj
+  succeeds burnish-normals h.exr -o x.exr -d float --mesh wall.obj --report r.json
+  [ "$("$BURNISH_FIXTURE" texel x.exr 8 8)" = "-0.707107 -0.707107 0" ]
+  fits_schema normals r.json
+  [ "$(value covered_texels r.json) $(value overlapped_texels r.json) $(value degenerate_texels r.json)" = "256 0 0" ]
+  [[ "$(value max_slope_deg r.json)" == 45.0* || "$(value max_slope_deg r.json)" == 44.999* ]]
+  succeeds burnish-normals h.exr -o y.exr -d float --mesh wall.obj --space object
+  same_bytes x.exr y.exr
+  succeeds burnish-normals h.exr -o y.exr -d float --mesh wall.obj --height 50cm
+  [ "$("$BURNISH_FIXTURE" texel y.exr 8 8)" = "-0.447214 -0.894427 0" ]
+}
+
+@test "--mesh: on a level square the same as without, but for what lies beyond" {
+  make_image bumps 32 16 h.tif
+  half_square | sed 's/vt 0.5/vt 1/' >square.obj
+  succeeds burnish-normals h.tif -o mesh.exr -d float --mesh square.obj --height 0.3 --neighbors 24
+  succeeds burnish-normals h.tif -o plain.exr -d float --size 1x1 --height 0.3 --neighbors 24
+  same_pixels mesh.exr plain.exr 1e-6
+}
+
+@test "--mid-level matters on a mesh that bends" {
+  make_image bumps 32 16 h.tif
+  "$BURNISH_FIXTURE" mesh torus 8 m.obj
+  succeeds burnish-normals h.tif -o a.exr -d float --mesh m.obj --height 0.2
+  succeeds burnish-normals h.tif -o b.exr -d float --mesh m.obj --height 0.2 --mid-level 0.5
+  differ a.exr b.exr
+  succeeds burnish-normals h.tif -o flat.exr -d float --mesh m.obj --height 0 --mid-level 0.5
+  succeeds burnish-normals h.tif -o flat2.exr -d float --mesh m.obj --height 0
+  same_bytes flat.exr flat2.exr
+}
+
+@test "--padding: gutters of the mesh's charts" {
+  make_image slope-u 16 8 h.exr float
+  half_square >half.obj
+  for case in "0 8" "3 11"; do
+    set -- $case
+    succeeds burnish-normals h.exr -o x.exr -d float --mesh half.obj --padding "$1"
+    [ "$("$BURNISH_FIXTURE" texel x.exr $(($2 - 1)) 4)" = "$("$BURNISH_FIXTURE" texel x.exr 7 4)" ]
+    [ "$("$BURNISH_FIXTURE" texel x.exr "$2" 4)" = "0 0 1" ]
+    [ "$("$BURNISH_FIXTURE" texel x.exr 7 4)" != "0 0 1" ]
+  done
+  for junk in -1 1.5 many; do refuses 1 "--padding" burnish-normals h.exr -o x.exr --mesh half.obj --padding $junk; done
+  refuses 1 "--padding" burnish-normals h.exr -o x.exr --padding 3
+}
+
+@test "--mesh with --mask, --channel, --y, standard input and output, and any number of threads" {
+  make_image nan 16 16 nan.exr float
+  make_image mask 16 16 m.png
+  half_square | sed 's/vt 0.5/vt 1/' >square.obj
+  refuses 3 "got NaN or infinity at column 8, row 8 (--mask can exclude it)" burnish-normals nan.exr -o x.exr --mesh square.obj
+  succeeds burnish-normals nan.exr -o x.exr --mesh square.obj --mask m.png --depfile x.d
+  [ "$(cat x.d)" = "x.exr: nan.exr square.obj m.png" ]
+  [ "$("$BURNISH_FIXTURE" texel x.exr 8 8)" = "0 0 1" ]
+  make_image colours 40 30 rgb.png
+  call burnish-normals rgb.png -o a.exr --mesh square.obj -j 1
+  [ "$status" -eq 0 ]
+  grep -q "colour channels differ" err
+  succeeds burnish-normals rgb.png -o b.exr --mesh square.obj --channel R -j 4
+  same_bytes a.exr b.exr
+  burnish-normals - -o - --output-type exr --mesh square.obj --channel 0 <rgb.png >c.exr
+  same_bytes a.exr c.exr
+  succeeds burnish-normals rgb.png -o down.exr --mesh square.obj --channel 0 --y down
+  differ a.exr down.exr
+}
+
+@test "--mesh and --space used wrongly, and meshes that do not serve" {
+  make_image bumps 8 8 h.png
+  half_square >half.obj
+  refuses 1 "--space object needs --mesh" burnish-normals h.png -o x.png --space object
+  refuses 1 "--space tangent goes without --mesh" burnish-normals h.png -o x.png --space tangent --mesh half.obj
+  refuses 1 "--space" burnish-normals h.png -o x.png --space world
+  refuses 1 "--size" burnish-normals h.png -o x.png --mesh half.obj --size 2
+  succeeds burnish-normals h.png -o a.png --space tangent
+  succeeds burnish-normals h.png -o b.png
+  same_bytes a.png b.png
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >no-uvs.obj
+  refuses 3 "'no-uvs.obj': expected texture coordinates" burnish-normals h.png -o x.png --mesh no-uvs.obj
+  half_square | sed 's/vt 0.5/vt 1.5/' >outside.obj
+  refuses 3 "'outside.obj': expected texture coordinates in [0,1]" burnish-normals h.png -o x.png --mesh outside.obj
+  half_square | sed 's/vt 0.5/vt 0/' >no-area.obj
+  refuses 3 "'no-area.obj'" burnish-normals h.png -o x.png --mesh no-area.obj
+  refuses 2 "'missing.obj'" burnish-normals h.png -o x.png --mesh missing.obj
+  refuses 5 "'h.png'" burnish-normals h.png -o x.png --mesh h.png
+  refuses 1 "is an input" burnish-normals h.png -o half.obj.png --mesh half.obj --report half.obj
+  refuses 3 "too steep" burnish-normals h.png -o x.png --mesh half.obj --height 1e300
+  refuses 5 "signed" burnish-normals h.png -o x.png --mesh half.obj --encoding signed
+  half_square | sed 's/vt 0.5/vt 1/; s/^f 1\/1 3.*/&\nf 1\/1 2\/2 3\/3/' >twice.obj
+  call burnish-normals h.png -o x.png --mesh twice.obj
+  [ "$status" -eq 0 ]
+  grep -q "'twice.obj': 3[0-9] texels are covered by more than one triangle" err
+}

@@ -302,7 +302,8 @@ TEST(DisplacedNormals, ErrorsNameWhatIsWrong) {
   EXPECT_ERROR(displaced_normals(sheet(kA, kB, line), field, {}), ErrorKind::kMalformed,
                "none that covers a texel of 8x8");
   EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, with_height(INFINITY)), ErrorKind::kUsage, "height");
-  EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, with_height(1e300)), ErrorKind::kMalformed, "too steep");
+  for (const double height : {1e160, 1e300, -1e308})
+    EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, with_height(height)), ErrorKind::kMalformed, "too steep");
   HeightMapOptions options;
   options.neighbors = 5;
   EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, options), ErrorKind::kUsage, "neighbors");

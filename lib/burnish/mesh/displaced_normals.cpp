@@ -50,21 +50,24 @@ Surface surface_at(const Mesh& mesh, const MeshPoint& point) {
   return s;
 }
 
-// `h` and its derivatives along u and v.
+// `h` and its derivatives along u and v. Not of unit length where they are beyond floating point.
 Vec3d displaced(const Surface& s, double h, double h_u, double h_v) {
   const Vec3d p_u = s.p_u + s.normal * h_u + s.n_u * h, p_v = s.p_v + s.normal * h_v + s.n_v * h;
   const Vec3d n = cross(p_u, p_v);
   const double size = length(n);
-  return size == 0 ? s.normal : n * ((dot(n, s.normal) < 0 ? -1 : 1) / size);
+  if (size == 0) return s.normal;
+  return dot(n, s.normal) < 0 ? -n / size : n / size;
 }
 
 struct RowStats {
   std::size_t covered = 0, overlapped = 0, degenerate = 0, taking_part = 0;
   double steepest = 0, tilt_sum = 0;
+  bool too_steep = false;
   std::size_t first_broken = SIZE_MAX;  // texel whose height is not finite
   RowStats& operator+=(const RowStats& o) {
     covered += o.covered, overlapped += o.overlapped, degenerate += o.degenerate, taking_part += o.taking_part;
     steepest = std::max(steepest, o.steepest), tilt_sum += o.tilt_sum;
+    too_steep = too_steep || o.too_steep;
     first_broken = std::min(first_broken, o.first_broken);
     return *this;
   }
@@ -118,6 +121,7 @@ class Displacer {
                                 options_.height * heights_.height * slope.a1);
       const double tilt = angle_rad(n, surface.normal);
       stats.steepest = std::max(stats.steepest, tilt), stats.tilt_sum += tilt, stats.taking_part++;
+      stats.too_steep = stats.too_steep || !(std::abs(length(n) - 1) < 1e-6);
       normals[x] = Vec3f(n);
     }
     return stats;
@@ -202,7 +206,7 @@ DisplacedNormals displaced_normals(Mesh mesh, const HeightField& field, const He
     });
     report_progress(progress, double(std::min(y + kBand, out.height)) / out.height);
   }
-  if (!std::isfinite(stats.tilt_sum))
+  if (stats.too_steep)
     throw Error(ErrorKind::kMalformed,
                 "slopes are too steep for floating point: look at the height, the mesh and the map");
   out.covered_texels = stats.covered, out.overlapped_texels = stats.overlapped;
