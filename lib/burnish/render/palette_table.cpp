@@ -1,6 +1,7 @@
 #include "burnish/render/palette_table.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "burnish/core/parallel.h"
 #include "burnish/render/table_kernels.h"
@@ -41,16 +42,14 @@ struct Sink {
     else add_specular(share, colour, count);
   }
   void add_specular(const float* share, Vec3d colour, std::size_t count) const {
-    kernels::add(share, float(colour.x), count, specular[0]);
-    kernels::add(share, float(colour.y), count, specular[1]);
-    kernels::add(share, float(colour.z), count, specular[2]);
+    kernels::add(share, Vec3f(colour), count, {specular[0], specular[1], specular[2]});
   }
-  void add_ambient(Vec3d colour, std::size_t count) const {
-    const auto add = [count](float* plane, double value) {
-      for (std::size_t i = 0; i < count; i++) plane[i] += float(value);
-    };
-    if (alpha) return add(alpha, luminance(colour));
-    add(specular[0], colour.x), add(specular[1], colour.y), add(specular[2], colour.z);
+  void start(Vec3d diffuse, std::size_t count) const {
+    if (alpha) std::fill_n(alpha, count, float(luminance(diffuse)));
+    const Vec3f rgb(alpha ? Vec3d{} : diffuse);
+    if (!specular[0]) return;
+    std::fill_n(specular[0], count, rgb.x), std::fill_n(specular[1], count, rgb.y),
+        std::fill_n(specular[2], count, rgb.z);
   }
   void add_entry(const Shaded& s, std::size_t i) const {
     const Vec3d rgb = alpha ? s.specular : s.diffuse + s.specular;
@@ -64,12 +63,11 @@ struct Sink {
 struct Run {
   kernels::Normals normals;  // of the run
   std::size_t count;
-  const Illumination& world;
+  const Illumination& world;  // but for the ambient light, which all entries start with
   const Rotation& rotation;
   Sink sink;
 
   void operator()(const Lambert& model) const {
-    sink.add_ambient(world.ambient * model.ambient, count);
     float share[kRun];
     for (const Arriving& light : world.lights) {
       kernels::lambert(normals, rotation.inverse(light.direction), count, share);
@@ -86,7 +84,6 @@ struct Run {
   template <typename Model, typename Reflect>
   void glossy(const Model& model, const Reflect& reflect) const {
     if (!(model.exponent > 0 && model.exponent <= kSharpest)) return entry_by_entry(model);
-    sink.add_ambient(world.ambient * model.ambient, count);
     const Vec3d to_viewer = rotation.inverse(world.to_viewer);
     float share[kRun], base[kRun], complement[kRun];
     for (const Arriving& light : world.lights) {
@@ -104,6 +101,16 @@ struct Run {
   }
 };
 
+// What a model reflects of ambient light, whatever the normal.
+Vec3d ambient_reflectance(const LightingModel& model) {
+  return std::visit(
+      [](const auto& m) -> Vec3d {
+        if constexpr (std::is_base_of_v<Lambert, std::remove_cvref_t<decltype(m)>>) return m.ambient;
+        return {};
+      },
+      model);
+}
+
 }  // namespace
 
 PaletteTable::PaletteTable(const Palette& palette, std::span<const Material* const> materials,
@@ -118,18 +125,22 @@ PaletteTable::PaletteTable(const Palette& palette, std::span<const Material* con
 }
 
 void PaletteTable::shade(const Illumination& world) {
+  const Illumination lights{world.lights, {}, world.to_viewer};
   for (std::size_t m = 0; m < intervals_.size(); m++) {
+    const std::vector<LightingModel>& terms = materials_[m]->terms;
+    Vec3d ambient;
+    for (const LightingModel& term : terms) ambient += world.ambient * ambient_reflectance(term);
     const std::size_t first = intervals_[m].first;
     parallel_for_chunks(intervals_[m].count, kGrain, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = first + begin; i < first + end; i += kRun) {
         const std::size_t count = std::min(kRun, first + end - i);
         Sink sink;
-        for (std::vector<float>& plane : planes_) std::fill_n(plane.data() + i, count, 0.f);
         if (kind_ != TableKind::kIntensity)
           for (int c = 0; c < 3; c++) sink.specular[c] = planes_[c].data() + i;
         if (kind_ != TableKind::kRgb) sink.alpha = planes_.back().data() + i;
-        const Run run{{x_.data() + i, y_.data() + i, z_.data() + i}, count, world, rotation_, sink};
-        for (const LightingModel& term : materials_[m]->terms) std::visit(run, term);
+        sink.start(ambient, count);
+        const Run run{{x_.data() + i, y_.data() + i, z_.data() + i}, count, lights, rotation_, sink};
+        for (const LightingModel& term : terms) std::visit(run, term);
       }
     });
   }

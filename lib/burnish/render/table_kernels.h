@@ -35,4 +35,11 @@ void power(const float* base, const float* complement, float exponent, std::size
 // out += factor · share
 void add(const float* share, float factor, std::size_t count, float* out);
 
+// A colour for each entry, a channel an array.
+struct Colours {
+  float *r, *g, *b;
+};
+// out += colour · share
+void add(const float* share, Vec3f colour, std::size_t count, Colours out);
+
 }  // namespace burnish::kernels
