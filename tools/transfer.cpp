@@ -83,7 +83,8 @@ int main(int argc, char** argv) {
       ->type_name("PX");
   app.add_option(
          "--displacement", displacement.path,
-         "Write signed distances along LOW's normals: float in .exr; in .png and .tif 0.5 + d/2m, m the largest")
+         "Write signed distances along the rays: as they are in .exr; -m to m as 0 to 1 in .png and .tif, m the "
+         "report's max_distance")
       ->type_name("FILE");
   app.add_option("--mask-output", mask.path, "Write 1 where a texel found detail, 0 elsewhere")->type_name("FILE");
   add_normal_coding(app, coding, false);
@@ -97,7 +98,8 @@ int main(int argc, char** argv) {
     displacement.reserve(tool), mask.reserve(tool);
     TransferMaps maps = transfer_detail(read_mesh(low_file), read_mesh(high_file), options, tool.progress());
     write_baked_normals(target, maps.width, maps.height, maps.normals);
-    if (!displacement.path.empty()) write_displacement(displacement.file, displacement.type, maps.displacement);
+    if (!displacement.path.empty())
+      write_displacement(displacement.file, displacement.type, maps.displacement, maps.max_distance);
     if (!mask.path.empty()) {
       for (std::uint8_t& c : maps.coverage.data) c = c == kFound;
       write_mask(mask.file, mask.type, maps.coverage);

@@ -4,6 +4,7 @@
 
 #include "../mesh_patterns.h"
 #include "burnish/core/parallel.h"
+#include "burnish/mesh/displaced_normals.h"
 #include "burnish/mesh/tangent_frames.h"
 #include "burnish/mesh/transfer.h"
 #include "burnish/mesh/uv_raster.h"
@@ -230,6 +231,30 @@ TEST(Transfer, HardEdgesLeaveNoGapsBetweenRays) {
   TransferOptions options = at_size(64, 32);
   const TransferMaps maps = transfer_detail(coarse, without_uvs(sphere(64, 48)), options);
   EXPECT_LT(rms_deg_from_sphere(coarse, options, maps), 0.3);
+}
+
+// What the transfer measures, displaced over the same mesh again, has the normals that the transfer finds; the mesh is
+// so fine that its facets hardly show.
+TEST(Transfer, DisplacementAndNormalsAreOfOneSurface) {
+  const Mesh coarse = grid_mesh(240, 120, torus, identity_uv);
+  const Mesh fine = without_uvs(grid_mesh(
+      400, 200,
+      [](double u, double v) {
+        const double turn = 2 * kPi * u, r = 0.4 + 0.015 * std::sin(12 * kPi * u) * std::cos(10 * kPi * v);
+        const double around = 2 * kPi * v, ring = 1 + r * std::cos(around);
+        return Vec3d{ring * std::sin(turn), r * std::sin(around), ring * std::cos(turn)};
+      },
+      identity_uv));
+  const TransferMaps maps = transfer_detail(coarse, fine, at_size(512, 256));
+  HeightMapOptions options;
+  options.wrap_u = options.wrap_v = Wrap::kRepeat;
+  options.neighbors = 8;
+  const DisplacedNormals again = displaced_normals(coarse, {"d.exr", maps.displacement, {}, false}, options);
+  double sum = 0;
+  for (std::size_t i = 0; i < maps.normals.size(); i++)
+    sum += std::pow(degrees(angle_rad(Vec3d(maps.normals[i]), Vec3d(again.normals[i]))), 2);
+  EXPECT_GT(again.mean_tilt_deg, 5) << "there is something to find";
+  EXPECT_LT(std::sqrt(sum / double(maps.normals.size())), 0.6);
 }
 
 TEST(Transfer, GuttersHoldTheNearestTexel) {

@@ -1,7 +1,6 @@
 #include "burnish/mesh/baked_files.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "burnish/core/error.h"
@@ -21,17 +20,15 @@ void write_baked_normals(const NormalMapTarget& target, int width, int height, c
   writer.close();
 }
 
-void write_displacement(const FileRef& file, FileType type, const Image& displacement) {
+void write_displacement(const FileRef& file, FileType type, const Image& displacement, double most) {
   if (type == FileType::kExr) return write_image(file, type, SampleType::kFloat, displacement);
   if (type != FileType::kPng && type != FileType::kTiff)
     throw file_error(ErrorKind::kUnsupported, file.name,
                      std::string("a displacement map is written as EXR, PNG or TIFF, not ") + name(type));
-  float most = 0;
-  for (const float d : displacement.data) most = std::max(most, std::abs(d));
-  if (most == 0) most = 1;
+  const double scale = most > 0 ? 2 * most : 1;
   Image stored = displacement;
-  for (float& d : stored.data) d = d / (2 * most) + 0.5f;
-  const nlohmann::ordered_json description{{"burnish:scale", 2 * most}, {"burnish:bias", -most}};
+  for (float& d : stored.data) d = float(d / scale + 0.5);
+  const nlohmann::ordered_json description{{"burnish:scale", scale}, {"burnish:bias", -scale / 2}};
   write_image(file, type, SampleType::kUint16, stored, {{"ImageDescription", description.dump()}});
 }
 

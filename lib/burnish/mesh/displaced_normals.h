@@ -6,8 +6,9 @@
 //   P_u = S_u + h_u·N + h·N_u,   P_v = S_v + h_v·N + h·N_v,   n = ± P_u × P_v / ‖·‖, the sign that of N
 // where h_u = height·W·a₀ and h_v = height·H·a₁ come from the plane fit of plane_fit.h over a W×H map; S_u and S_v, per
 // unit of u and v, from the triangle's corners, brought into the plane of N as tangent frames are, so that h = 0 gives
-// the smooth normal and not a facet; N_u and N_v from the corners' normals. Where N bends little this is the
-// tangent-space normal of burnish-normals with --size ‖S_u‖×‖S_v‖, in the frame along S_u, S_v and N.
+// the smooth normal and not a facet (heights are measured from the smooth surface that the mesh stands for); N_u and
+// N_v from the corners' normals. Where N bends little this is the tangent-space normal of burnish-normals with --size
+// ‖S_u‖×‖S_v‖, in the frame along S_u, S_v and N.
 //
 // Texels whose centre no triangle covers are gutters. To a fit only texels of one chart belong (uv_raster.h), beside
 // what wrap and mask allow. Runs in parallel over rows, each on its own. Memory holds the whole map, about 40 bytes a
