@@ -176,7 +176,7 @@ scene() {
   scene 'colour = 3'
   refuses 3 "'s.toml': line 9: 'object[0].colour': unknown key" burnish-render s.toml -o x.png
   scene 'surface = "cube"'
-  refuses 3 "expected quad|sphere, got 'cube'" burnish-render s.toml -o x.png
+  refuses 3 "expected quad|sphere|mesh, got 'cube'" burnish-render s.toml -o x.png
   scene 'size = [1, 0]'
   refuses 3 "'object[0].size': expected an array of 2, each a number above 0, got 0" burnish-render s.toml -o x.png
   echo 'this is no TOML' >s.toml

@@ -132,6 +132,8 @@ Object object(const TomlTable& t, const std::string& directory) {
   o.normal_map = map_path(t, "normal_map", directory);
   o.indexed_map = map_path(t, "indexed_map", directory);
   if (!o.indexed_map.empty()) o.palette = map_path(t, "palette", directory);
+  if (o.indexed_map.ends_with(".dds") && o.palette.empty())
+    t.fail("palette", "expected the file of the palette, which a DDS does not hold, got nothing");
   o.base = base_colour(t, directory);
   if (t.has("normal_space"))
     o.normal_space =
