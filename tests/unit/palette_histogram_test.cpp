@@ -13,10 +13,11 @@ namespace {
 using testing::Random;
 using testing::ScratchDir;
 
-Histogram count(const std::string& file, const TexelClasses& classes = {}) {
-  TexelKeys texels(file, {});
-  return count_normals(texels, classes);
+Histogram count(std::vector<MapFiles> files) {
+  MapSet maps(std::move(files), {});
+  return count_normals(maps);
 }
+Histogram count(const std::string& file) { return count({MapFiles{file}}); }
 
 double weight_of(const std::vector<WeightedNormal>& group, Vec3f n) {
   double weight = 0;
@@ -54,9 +55,9 @@ TEST(PaletteHistogram, CountsAreExactInEverySampleType) {
     testing::write_normals(dir / s.file, s.sample, width, height, normals);
     const Histogram h = count(dir / s.file);
     EXPECT_TRUE(h.exact);
-    EXPECT_EQ(h.texels, normals.size());
+    EXPECT_EQ(h.maps[0].counted, normals.size());
     EXPECT_EQ(h.distinct, few().size()) << s.file << " " << name(s.sample);
-    EXPECT_EQ(h.invalid_texels, 0u);
+    EXPECT_EQ(h.maps[0].invalid, 0u);
     ASSERT_EQ(h.material, std::vector<int>{0});
     ASSERT_EQ(h.groups[0].size(), few().size());
     for (std::size_t k = 0; k < few().size(); k++) {
@@ -73,36 +74,40 @@ TEST(PaletteHistogram, MaterialsAndMasks) {
   const ScratchDir dir;
   const int width = 8, height = 4;
   std::vector<Vec3f> normals;
-  TexelClasses classes{ByteImage(width, height), ByteImage(width, height)};
+  std::vector<int> ids, mask;
   for (int y = 0; y < height; y++)
     for (int x = 0; x < width; x++) {
       normals.push_back(few()[x % 2]);
-      *classes.material.at(x, y) = std::uint8_t(x < 4 ? 9 : x < 6 ? 200 : 31);
-      *classes.mask.at(x, y) = std::uint8_t(x < 6 && y > 0 ? 255 : 0);
+      ids.push_back(x < 4 ? 9 : x < 6 ? 200 : 31);
+      mask.push_back(x < 6 && y > 0 ? 255 : 0);
     }
   testing::write_normals(dir / "n.exr", SampleType::kFloat, width, height, normals);
-  const Histogram h = count(dir / "n.exr", classes);
+  testing::write_ids(dir / "ids.png", width, height, ids);
+  testing::write_ids(dir / "mask.png", width, height, mask);
+  const Histogram h = count({MapFiles{dir / "n.exr", dir / "ids.png", dir / "mask.png"}});
   EXPECT_EQ(h.material, (std::vector<int>{9, 31, 200}));
-  EXPECT_EQ(h.texels, 18u);
+  EXPECT_EQ(h.maps[0].counted, 18u);
   EXPECT_EQ(h.distinct, 4u);
   ASSERT_EQ(h.groups.size(), 3u);
   EXPECT_EQ(weight_of(h.groups[0], few()[0]), 6);
   EXPECT_EQ(weight_of(h.groups[0], few()[1]), 6);
   EXPECT_EQ(weight_of(h.groups[2], few()[0]), 3);
-  // Masked out whole, and yet in need of entries.
-  EXPECT_EQ(h.groups[1].size(), 2u);
+  // Masked out whole, and yet in need of an entry.
+  ASSERT_EQ(h.groups[1].size(), 1u);
+  EXPECT_LT(testing::angle_deg(h.groups[1][0].normal, few()[0] + few()[1]), 1e-4);
 }
 
 TEST(PaletteHistogram, WhatIsMaskedOutShapesNothing) {
   const ScratchDir dir;
   std::vector<Vec3f> normals(100, few()[1]);
-  TexelClasses classes{{}, ByteImage(10, 10)};
+  std::vector<int> mask(100);
   for (int i = 0; i < 100; i++)
     if (i % 3 == 0) normals[i] = Vec3f(normalized(Vec3d{double(i), 1, 5}));
-    else classes.mask.data[i] = 1;
+    else mask[i] = 1;
   testing::write_normals(dir / "n.tif", SampleType::kUint16, 10, 10, normals);
-  const Histogram h = count(dir / "n.tif", classes);
-  EXPECT_EQ(h.texels, 66u);
+  testing::write_ids(dir / "mask.png", 10, 10, mask);
+  const Histogram h = count({MapFiles{dir / "n.tif", {}, dir / "mask.png"}});
+  EXPECT_EQ(h.maps[0].counted, 66u);
   EXPECT_EQ(h.distinct, 1u);
   ASSERT_EQ(h.groups[0].size(), 1u);
   EXPECT_EQ(h.groups[0][0].weight, 66);
@@ -128,7 +133,7 @@ TEST(PaletteHistogram, VectorsWithoutADirectionAreCounted) {
   for (const SampleType sample : {SampleType::kHalf, SampleType::kFloat}) {
     write_image(dir / "n.exr", FileType::kExr, sample, image);
     const Histogram h = count(dir / "n.exr");
-    EXPECT_EQ(h.invalid_texels, 2u) << name(sample);
+    EXPECT_EQ(h.maps[0].invalid, 2u) << name(sample);
     EXPECT_EQ(h.distinct, 2u) << name(sample);
     EXPECT_EQ(weight_of(h.groups[0], {0, 0, 1}), 3) << name(sample);
   }
@@ -147,7 +152,7 @@ TEST(PaletteHistogram, TooManyNormalsAreCountedInBins) {
   }
   const Histogram& h = histograms[0];
   EXPECT_FALSE(h.exact);
-  EXPECT_EQ(h.texels, normals.size());
+  EXPECT_EQ(h.maps[0].counted, normals.size());
   ASSERT_EQ(h.groups.size(), 1u);
   EXPECT_EQ(h.distinct, h.groups[0].size());
   EXPECT_LE(h.distinct, std::size_t(1) << 20);

@@ -77,7 +77,7 @@ TEST(PaletteQuantize, LosslessWhereThePaletteHoldsEveryNormal) {
       QuantizeOptions options;
       options.normals = 200;
       options.dither = dither;
-      const QuantizeResult r = quantize_normal_map(dir / c.file, options);
+      const QuantizedMap r = quantize_normal_map({dir / c.file}, options);
       const std::vector<Vec3f> in = stored(dir / c.file);
       expect_well_formed(r.map);
       EXPECT_LE(r.stats.distinct_input_normals, 200u);
@@ -99,7 +99,7 @@ TEST(PaletteQuantize, ReportsWhatBruteForceMeasures) {
       QuantizeOptions options;
       options.normals = 64;
       options.dither = dither;
-      const QuantizeResult r = quantize_normal_map(dir / file, options);
+      const QuantizedMap r = quantize_normal_map({dir / file}, options);
       expect_well_formed(r.map);
       const std::vector<Vec3f> in = stored(dir / file);
       EXPECT_EQ(r.stats.normals, 64);
@@ -134,8 +134,7 @@ TEST(PaletteQuantize, NoTexelChangesItsMaterial) {
       options.normals = 40;
       options.engine = engine;
       options.dither = dither;
-      options.material = dir / "ids.png";
-      const QuantizeResult r = quantize_normal_map(dir / "n.png", options);
+      const QuantizedMap r = quantize_normal_map({dir / "n.png", dir / "ids.png"}, options);
       expect_well_formed(r.map);
       EXPECT_LE(r.stats.normals, 40);
       ASSERT_EQ(r.map.palette.materials.size(), 4u);
@@ -146,8 +145,7 @@ TEST(PaletteQuantize, NoTexelChangesItsMaterial) {
     }
   QuantizeOptions options;
   options.normals = 3;
-  options.material = dir / "ids.png";
-  EXPECT_ERROR(quantize_normal_map(dir / "n.png", options), ErrorKind::kMalformed, "4 materials");
+  EXPECT_ERROR(quantize_normal_map({dir / "n.png", dir / "ids.png"}, options), ErrorKind::kMalformed, "4 materials");
 }
 
 TEST(PaletteQuantize, WhatIsMaskedShapesNothingAndCountsNothing) {
@@ -164,9 +162,8 @@ TEST(PaletteQuantize, WhatIsMaskedShapesNothingAndCountsNothing) {
   for (const Dither dither : {Dither::kNone, Dither::kDiffusion, Dither::kBlueNoise}) {
     QuantizeOptions options;
     options.normals = 64;
-    options.mask = dir / "mask.png";
     options.dither = dither;
-    const QuantizeResult r = quantize_normal_map(dir / "n.exr", options);
+    const QuantizedMap r = quantize_normal_map({dir / "n.exr", {}, dir / "mask.png"}, options);
     EXPECT_EQ(r.stats.texels, std::size_t(std::ranges::count(mask, 255)));
     EXPECT_NEAR(r.stats.rms_deg, rms_deg(stored(dir / "n.exr"), r.map, mask), 1e-4);
     for (const Vec3f& n : r.map.palette.normals) EXPECT_GT(n.z, 0.3);
@@ -184,10 +181,8 @@ TEST(PaletteQuantize, AMaterialMaskedOutWholeHasEntriesAndCountsNothing) {
   for (const Dither dither : {Dither::kNone, Dither::kDiffusion}) {
     QuantizeOptions options;
     options.normals = 30;
-    options.material = dir / "ids.png";
-    options.mask = dir / "mask.png";
     options.dither = dither;
-    const QuantizeResult r = quantize_normal_map(dir / "n.png", options);
+    const QuantizedMap r = quantize_normal_map({dir / "n.png", dir / "ids.png", dir / "mask.png"}, options);
     expect_well_formed(r.map);
     ASSERT_EQ(r.map.palette.materials.size(), 4u);
     EXPECT_EQ(r.stats.texels, std::size_t(std::ranges::count(mask, 255)));
@@ -203,25 +198,25 @@ TEST(PaletteQuantize, TheSmallestPaletteThatMeetsATarget) {
       QuantizeOptions options;
       options.engine = engine;
       options.target_error_deg = target;
-      const QuantizeResult r = quantize_normal_map(dir / "n.png", options);
+      const QuantizedMap r = quantize_normal_map({dir / "n.png"}, options);
       EXPECT_LE(r.stats.rms_deg, target);
       options.target_error_deg.reset();
       options.normals = r.stats.normals;
-      EXPECT_EQ(quantize_normal_map(dir / "n.png", options).map.palette.normals, r.map.palette.normals);
+      EXPECT_EQ(quantize_normal_map({dir / "n.png"}, options).map.palette.normals, r.map.palette.normals);
       options.normals = r.stats.normals - 1;
       ASSERT_GE(options.normals, 2);
-      EXPECT_GT(quantize_normal_map(dir / "n.png", options).stats.rms_deg, target)
+      EXPECT_GT(quantize_normal_map({dir / "n.png"}, options).stats.rms_deg, target)
           << "with one less than " << r.stats.normals;
     }
   QuantizeOptions options;
   options.target_error_deg = 0;
-  const QuantizeResult exact = quantize_normal_map(dir / "n.png", options);
+  const QuantizedMap exact = quantize_normal_map({dir / "n.png"}, options);
   EXPECT_TRUE(exact.stats.lossless);
   EXPECT_EQ(exact.stats.normals, int(exact.stats.distinct_input_normals));
   if (has_imagequant()) {
     options.target_error_deg = 0.01;
     options.engine = Engine::kImagequant;
-    EXPECT_ERROR(quantize_normal_map(dir / "n.png", options), ErrorKind::kThreshold, "256 normals");
+    EXPECT_ERROR(quantize_normal_map({dir / "n.png"}, options), ErrorKind::kThreshold, "256 normals");
   }
 }
 
@@ -237,8 +232,7 @@ TEST(PaletteQuantize, AGivenPaletteIsUsedAsItIs) {
     write_palette(dir / file, file_type_of(file), palette);
     QuantizeOptions options;
     options.palette = dir / file;
-    options.material = dir / "ids.png";
-    const QuantizeResult r = quantize_normal_map(dir / "n.png", options);
+    const QuantizedMap r = quantize_normal_map({dir / "n.png", dir / "ids.png"}, options);
     EXPECT_EQ(r.map.palette.normals, palette.normals);
     EXPECT_EQ(r.map.palette.materials, palette.materials);
     EXPECT_EQ(r.stats.normals, 90);
@@ -254,8 +248,7 @@ TEST(PaletteQuantize, AGivenPaletteIsUsedAsItIs) {
   write_palette(dir / "p.exr", FileType::kExr, palette);
   QuantizeOptions options;
   options.palette = dir / "p.exr";
-  options.material = dir / "ids.png";
-  EXPECT_ERROR(quantize_normal_map(dir / "n.png", options), ErrorKind::kMalformed,
+  EXPECT_ERROR(quantize_normal_map({dir / "n.png", dir / "ids.png"}, options), ErrorKind::kMalformed,
                "'" + (dir / "p.exr") + "': expected entries for material 5");
 }
 
@@ -268,7 +261,7 @@ TEST(PaletteQuantize, EnginesToCompareWith) {
     QuantizeOptions options;
     options.engine = engine;
     options.normals = 64;
-    const QuantizeResult r = quantize_normal_map(dir / "n.png", options);
+    const QuantizedMap r = quantize_normal_map({dir / "n.png"}, options);
     expect_well_formed(r.map);
     EXPECT_LE(r.stats.normals, 64);
     EXPECT_GE(r.stats.normals, 60);
@@ -279,7 +272,7 @@ TEST(PaletteQuantize, EnginesToCompareWith) {
   QuantizeOptions options;
   options.engine = Engine::kImagequant;
   options.normals = 257;
-  EXPECT_ERROR(quantize_normal_map(dir / "n.png", options), ErrorKind::kUnsupported, "imagequant");
+  EXPECT_ERROR(quantize_normal_map({dir / "n.png"}, options), ErrorKind::kUnsupported, "imagequant");
 }
 
 TEST(PaletteQuantize, OptionsOutOfRange) {
@@ -288,17 +281,17 @@ TEST(PaletteQuantize, OptionsOutOfRange) {
   for (const int n : {-1, 0, 1, 65537}) {
     QuantizeOptions options;
     options.normals = n;
-    EXPECT_ERROR(quantize_normal_map(dir / "n.png", options), ErrorKind::kUsage, "2 to 65536");
+    EXPECT_ERROR(quantize_normal_map({dir / "n.png"}, options), ErrorKind::kUsage, "2 to 65536");
   }
   for (const double amount : {-0.1, 1.1, std::nan("")}) {
     QuantizeOptions options;
     options.dither_amount = amount;
-    EXPECT_ERROR(quantize_normal_map(dir / "n.png", options), ErrorKind::kUsage, "dither amount");
+    EXPECT_ERROR(quantize_normal_map({dir / "n.png"}, options), ErrorKind::kUsage, "dither amount");
   }
   for (const double target : {-1.0, 181.0, std::nan("")}) {
     QuantizeOptions options;
     options.target_error_deg = target;
-    EXPECT_ERROR(quantize_normal_map(dir / "n.png", options), ErrorKind::kUsage, "target error");
+    EXPECT_ERROR(quantize_normal_map({dir / "n.png"}, options), ErrorKind::kUsage, "target error");
   }
 }
 
@@ -307,7 +300,7 @@ TEST(PaletteQuantize, InvalidAndBrokenVectors) {
   Image image(4, 3, 3);
   for (int i = 0; i < 12; i++) image.data[3 * i + 2] = i < 5 ? 0.f : 1.f;
   write_image(dir / "n.exr", FileType::kExr, SampleType::kHalf, image);
-  const QuantizeResult r = quantize_normal_map(dir / "n.exr", {});
+  const QuantizedMap r = quantize_normal_map({dir / "n.exr"}, {});
   EXPECT_EQ(r.stats.invalid_texels, 5u);
   EXPECT_EQ(r.stats.normals, 1);
   EXPECT_EQ(normal_at(r.map, 0), (Vec3f{0, 0, 1}));
@@ -316,7 +309,7 @@ TEST(PaletteQuantize, InvalidAndBrokenVectors) {
       Image broken = image;
       broken.data[3 * 6 + 1] = bad;
       write_image(dir / "b.exr", FileType::kExr, sample, broken);
-      EXPECT_ERROR(quantize_normal_map(dir / "b.exr", {}), ErrorKind::kMalformed, "column 2, row 1");
+      EXPECT_ERROR(quantize_normal_map({dir / "b.exr"}, {}), ErrorKind::kMalformed, "column 2, row 1");
     }
 }
 
@@ -327,9 +320,9 @@ TEST(PaletteQuantize, GreenDownIsTheSameMapFlipped) {
   write_normals(dir / "down.exr", SampleType::kFloat, kW, kH, normals, true);
   QuantizeOptions options;
   options.normals = 50;
-  const QuantizeResult up = quantize_normal_map(dir / "up.exr", options);
+  const QuantizedMap up = quantize_normal_map({dir / "up.exr"}, options);
   options.coding.green = GreenAxis::kDown;
-  const QuantizeResult down = quantize_normal_map(dir / "down.exr", options);
+  const QuantizedMap down = quantize_normal_map({dir / "down.exr"}, options);
   EXPECT_EQ(up.map.palette.normals, down.map.palette.normals);
   EXPECT_EQ(up.map.levels[0].data, down.map.levels[0].data);
 }
@@ -347,7 +340,7 @@ TEST(PaletteQuantize, DitheringKeepsTheMeansOfBlocks) {
     QuantizeOptions options;
     options.normals = 48;
     options.dither = dither;
-    const QuantizeResult r = quantize_normal_map(dir / "n.tif", options);
+    const QuantizedMap r = quantize_normal_map({dir / "n.tif"}, options);
     double squares = 0;
     for (int by = 0; by < side; by += 4)
       for (int bx = 0; bx < side; bx += 4) {
@@ -361,9 +354,9 @@ TEST(PaletteQuantize, DitheringKeepsTheMeansOfBlocks) {
     else EXPECT_LT(std::sqrt(squares), 0.65 * plain) << int(dither);
     options.dither_amount = 0;
     options.dither = dither;
-    const QuantizeResult none = quantize_normal_map(dir / "n.tif", options);
+    const QuantizedMap none = quantize_normal_map({dir / "n.tif"}, options);
     options.dither = Dither::kNone;
-    EXPECT_EQ(none.map.levels[0].data, quantize_normal_map(dir / "n.tif", options).map.levels[0].data);
+    EXPECT_EQ(none.map.levels[0].data, quantize_normal_map({dir / "n.tif"}, options).map.levels[0].data);
   }
 }
 
@@ -374,13 +367,13 @@ TEST(PaletteQuantize, TheSameForAnyNumberOfThreads) {
   write_normals(dir / "n.exr", SampleType::kFloat, width, height, bumpy_normals(width, height));
   for (const char* file : {"n.png", "n.exr"})
     for (const Dither dither : {Dither::kNone, Dither::kDiffusion, Dither::kBlueNoise}) {
-      QuantizeResult r[2];
+      QuantizedMap r[2];
       for (int threads : {1, 2}) {
         const ThreadLimit limit(threads);
         QuantizeOptions options;
         options.normals = 100;
         options.dither = dither;
-        r[threads - 1] = quantize_normal_map(dir / file, options);
+        r[threads - 1] = quantize_normal_map({dir / file}, options);
       }
       EXPECT_EQ(r[0].map.palette.normals, r[1].map.palette.normals) << file;
       EXPECT_EQ(r[0].map.levels[0].data, r[1].map.levels[0].data) << file << " dither " << int(dither);

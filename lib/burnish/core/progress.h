@@ -12,4 +12,10 @@ inline void report_progress(const Progress& progress, double fraction) {
   if (progress) progress(fraction);
 }
 
+// The progress of a step that goes from one fraction of the whole to another.
+inline Progress part_of(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [=](double f) { progress(from + f * (to - from)); };
+}
+
 }  // namespace burnish

@@ -83,12 +83,16 @@ int Codebook::size() const {
   return n;
 }
 
+void require_an_entry_each(std::size_t groups, int n) {
+  if (groups > std::size_t(n))
+    throw Error(ErrorKind::kMalformed, "expected at least as many normals as materials, got " + std::to_string(n) +
+                                           " normals for " + std::to_string(groups) + " materials");
+}
+
 namespace {
 
 std::size_t count_points(std::span<const std::vector<WeightedNormal>> groups, int n) {
-  if (int(groups.size()) > n)
-    throw Error(ErrorKind::kMalformed, "expected at least as many normals as materials, got " + std::to_string(n) +
-                                           " normals for " + std::to_string(groups.size()) + " materials");
+  require_an_entry_each(groups.size(), n);
   std::size_t total = 0;
   for (const auto& g : groups) total += g.size();
   return total;

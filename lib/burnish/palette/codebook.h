@@ -30,6 +30,9 @@ struct Codebook {
 // entries. Points of a group are distinct. kMalformed where n is less than the number of groups.
 Codebook fit_codebook(std::span<const std::vector<WeightedNormal>> groups, int n, const Progress& progress = {});
 
+// kMalformed where n is less than the number of groups.
+void require_an_entry_each(std::size_t groups, int n);
+
 // How many of n entries each group gets by variance splitting alone, which always divides the part of largest error.
 std::vector<int> share_entries(std::span<const std::vector<WeightedNormal>> groups, int n);
 

@@ -14,7 +14,9 @@ namespace burnish {
 namespace {
 
 constexpr std::size_t kKeepBytes = std::size_t(256) << 20;
-constexpr int kOctahedralBits = 24;
+constexpr int kOctahedralBits = 24, kVectorBits = 48;
+// The octahedral square leaves one number over: it marks vectors without a direction.
+constexpr std::uint64_t kInvalid = (std::uint64_t(1) << kVectorBits) - 1;
 
 float half_value(std::uint16_t bits) {
   half h;
@@ -32,6 +34,7 @@ TexelKeys::TexelKeys(const FileRef& file, const NormalCoding& coding) : reader_(
              : image.sample_type() == SampleType::kUint16 ? Packing::kWords
              : image.sample_type() == SampleType::kHalf   ? Packing::kHalves
                                                           : Packing::kOctahedral;
+  tag_ = std::uint64_t(packing_) << kVectorBits;
   const std::size_t sample = packing_ == Packing::kBytes ? 1 : packing_ == Packing::kOctahedral ? 4 : 2;
   row_bytes_ = sample * image.channels() * image.width();
   if (row_bytes_ * height() <= kKeepBytes) whole_.resize(row_bytes_ * height());
@@ -73,7 +76,7 @@ void TexelKeys::pack(const std::byte* samples, std::size_t texels, std::uint64_t
   const std::size_t channels = reader_.image().channels();
   const auto stored = [&]<typename T>(const T* s) {
     for (std::size_t i = 0; i < texels; i++, s += channels)
-      keys[i] = std::uint64_t(s[c[0]]) << 32 | std::uint64_t(s[c[1]]) << 16 | (c[2] < 0 ? 0u : s[c[2]]);
+      keys[i] = tag_ | std::uint64_t(s[c[0]]) << 32 | std::uint64_t(s[c[1]]) << 16 | (c[2] < 0 ? 0u : s[c[2]]);
   };
   const auto refuse = [&](std::size_t column) {
     throw file_error(ErrorKind::kMalformed, name(),
@@ -98,8 +101,7 @@ void TexelKeys::pack(const std::byte* samples, std::size_t texels, std::uint64_t
         if (!std::isfinite(s[c[0]] + s[c[1]] + z)) refuse(i);
         bool invalid;
         const Vec3f n = reader_.decode(s[c[0]], s[c[1]], z, invalid);
-        // One number is left over beyond the square: it marks vectors without a direction.
-        keys[i] = invalid ? (std::uint64_t(1) << 48) - 1 : pack_octahedral(Vec3d(n), kOctahedralBits);
+        keys[i] = tag_ | (invalid ? kInvalid : pack_octahedral(Vec3d(n), kOctahedralBits));
       }
     }
   }
@@ -115,8 +117,8 @@ Vec3f TexelKeys::decode(std::uint64_t key, bool& invalid) const {
     case Packing::kHalves:
       return reader_.decode(half_value(x), half_value(y), half_value(z), invalid);
     default:
-      invalid = key == (std::uint64_t(1) << 48) - 1;
-      return invalid ? Vec3f{0, 0, 1} : Vec3f(unpack_octahedral(key, kOctahedralBits));
+      invalid = (key & kInvalid) == kInvalid;
+      return invalid ? Vec3f{0, 0, 1} : Vec3f(unpack_octahedral(key & kInvalid, kOctahedralBits));
   }
 }
 
