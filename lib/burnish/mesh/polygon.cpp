@@ -1,7 +1,5 @@
 #include "burnish/mesh/polygon.h"
 
-#include <numeric>
-
 namespace burnish {
 namespace {
 
@@ -12,48 +10,75 @@ Vec3d mean_normal(std::span<const Vec3d> p) {
   return sum;
 }
 
+// In the time of corners times reflex corners: cutting an ear off changes only its neighbours, and a triangle that
+// holds any corner holds a reflex one.
 class EarClipping {
  public:
-  explicit EarClipping(std::span<const Vec3d> outline) : p_(outline), up_(mean_normal(outline)), left_(outline.size()) {
-    std::iota(left_.begin(), left_.end(), 0u);
+  explicit EarClipping(std::span<const Vec3d> outline)
+      : p_(outline), up_(mean_normal(outline)), corners_(outline.size()) {
+    const auto count = std::uint32_t(outline.size());
+    for (std::uint32_t i = 0; i < count; i++) corners_[i] = {(i + count - 1) % count, (i + 1) % count, false, false};
+    for (std::uint32_t i = 0; i < count; i++) update_reflex(i);
+    for (std::uint32_t i = 0; i < count; i++) corners_[i].ear = is_ear(i);
   }
 
   std::vector<Corners> run() {
     std::vector<Corners> out;
-    while (left_.size() > 3) {
+    out.reserve(corners_.size() - 2);
+    std::uint32_t first = 0;
+    for (std::size_t left = corners_.size(); left > 3; left--) {
       // The ear behind the first corner first, so that a convex outline becomes a fan.
-      std::size_t ear = 1;
-      for (std::size_t i = 0; i < left_.size(); i++)
-        if (is_ear((i + 1) % left_.size())) {
-          ear = (i + 1) % left_.size();
-          break;
-        }
-      out.push_back({at(ear + left_.size() - 1), at(ear), at(ear + 1)});
-      left_.erase(left_.begin() + std::ptrdiff_t(ear));
+      std::uint32_t ear = corners_[first].next;
+      while (!corners_[ear].ear && ear != first) ear = corners_[ear].next;
+      if (!corners_[ear].ear) ear = corners_[first].next;
+      if (ear == first) first = corners_[first].next;
+      out.push_back(cut(ear));
     }
-    out.push_back({left_[0], left_[1], left_[2]});
+    out.push_back({first, corners_[first].next, corners_[first].previous});
     return out;
   }
 
  private:
-  std::uint32_t at(std::size_t i) const { return left_[i % left_.size()]; }
+  struct Corner {
+    std::uint32_t previous, next;
+    bool reflex, ear;
+  };
 
   // Twice the area of a, b, c as seen from above.
   double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return dot(cross(p_[b] - p_[a], p_[c] - p_[a]), up_);
   }
 
-  bool is_ear(std::size_t i) const {
-    const std::uint32_t a = at(i + left_.size() - 1), b = at(i), c = at(i + 1);
-    if (!(turn(a, b, c) > 0)) return false;
-    for (std::uint32_t d : left_)
-      if (d != a && d != b && d != c && turn(a, b, d) >= 0 && turn(b, c, d) >= 0 && turn(c, a, d) >= 0) return false;
+  void update_reflex(std::uint32_t i) {
+    const bool was = corners_[i].reflex;
+    corners_[i].reflex = !(turn(corners_[i].previous, i, corners_[i].next) > 0);
+    if (corners_[i].reflex && !was) reflex_.push_back(i);
+  }
+
+  // Corners in the same place as one of the triangle's do not lie in it: outlines may come back to a corner.
+  bool is_ear(std::uint32_t b) const {
+    if (corners_[b].reflex) return false;
+    const std::uint32_t a = corners_[b].previous, c = corners_[b].next;
+    for (std::uint32_t d : reflex_)
+      if (corners_[d].reflex && p_[d] != p_[a] && p_[d] != p_[b] && p_[d] != p_[c] && turn(a, b, d) >= 0 &&
+          turn(b, c, d) >= 0 && turn(c, a, d) >= 0)
+        return false;
     return true;
+  }
+
+  Corners cut(std::uint32_t ear) {
+    const std::uint32_t previous = corners_[ear].previous, next = corners_[ear].next;
+    corners_[previous].next = next, corners_[next].previous = previous;
+    corners_[ear].reflex = false;
+    for (std::uint32_t i : {previous, next}) update_reflex(i);
+    for (std::uint32_t i : {previous, next}) corners_[i].ear = is_ear(i);
+    return {previous, ear, next};
   }
 
   std::span<const Vec3d> p_;
   Vec3d up_;
-  std::vector<std::uint32_t> left_;
+  std::vector<Corner> corners_;
+  std::vector<std::uint32_t> reflex_;  // those that are or were
 };
 
 }  // namespace
