@@ -11,7 +11,7 @@ namespace burnish {
 namespace {
 
 constexpr double kLeastSeen = 0.85;  // of the area, along the mean normal
-constexpr double kRoundness = 2;   // what a ragged border counts against bent triangles
+constexpr double kRoundness = 2;     // what a ragged border counts against bent triangles
 
 struct Patch {
   Vec3d area_normal;  // the sum of areas times normals
