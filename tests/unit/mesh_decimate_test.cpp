@@ -282,9 +282,9 @@ TEST(Decimate, SaysHowFarTheOriginalIs) {
   for (const Vec3d& p : high.positions) {
     double least = 1e9;
     for (std::uint32_t t = 0; t < low.triangles.size(); t++)
-      for (int i = 0; i <= 16; i++)
-        for (int j = 0; i + j <= 16; j++)
-          least = std::min(least, length(p - position_at(low, {t, {i / 16.0, j / 16.0, (16 - i - j) / 16.0}})));
+      for (int i = 0; i <= 40; i++)
+        for (int j = 0; i + j <= 40; j++)
+          least = std::min(least, length(p - position_at(low, {t, {i / 40.0, j / 40.0, (40 - i - j) / 40.0}})));
     most = std::max(most, least), squares += least * least;
   }
   EXPECT_LE(stats.max_distance, most + 1e-12);

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "burnish/core/parallel.h"
+#include "burnish/mesh/fit_surface.h"
 #include "burnish/mesh/mesh_rays.h"
 #include "burnish/mesh/wedged_surface.h"
 
@@ -284,9 +285,15 @@ DecimateStats measure(const Mesh& original, const Mesh& result) {
 }  // namespace
 
 Mesh decimate(const Mesh& mesh, std::size_t faces, DecimateStats* stats, const Progress& progress) {
-  Mesh out = faces >= mesh.triangles.size() ? mesh
-             : mesh.has_uvs()               ? decimated<5>(mesh, texture_scale(mesh), faces, progress)
-                                            : decimated<3>(mesh, 1, faces, progress);
+  Mesh out;
+  if (faces >= mesh.triangles.size()) {
+    out = mesh;
+  } else if (mesh.has_uvs()) {
+    out = decimated<5>(mesh, texture_scale(mesh), faces, progress);
+  } else {
+    out = decimated<3>(mesh, 1, faces, [&](double f) { report_progress(progress, 0.5 * f); });
+    fit_surface(out, mesh, [&](double f) { report_progress(progress, 0.5 + 0.5 * f); });
+  }
   add_smooth_normals(out);
   if (stats) *stats = measure(mesh, out);
   report_progress(progress, 1);

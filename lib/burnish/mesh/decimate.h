@@ -5,13 +5,15 @@
 // Heckbert, "Surface simplification using quadric error metrics", 1997). Positions that coincide are one vertex. A
 // collapse is refused where it would change the topology, turn a triangle over, or make a sliver.
 //
+// Then the vertices move once more, so that the surface as a whole lies nearest to the original (fit_surface.h).
+//
 // A mesh with texture coordinates is simplified in five dimensions, position and texture together (Garland and
 // Heckbert, "Simplifying surfaces with color and texture", 1998), so that the texture keeps its place too. Seams do not
 // tear: a vertex on one collapses only along it, its two sides at once, onto the seam's next vertex; where seams meet
-// or end, vertices stay. No triangle turns over in the texture.
+// or end, vertices stay. No triangle turns over in the texture. Such a mesh is not moved once more.
 //
 // Vertices where more than two triangles share an edge, or neighbours turn opposite ways, stay where they are.
-// Runs on one thread, in an order that depends on the mesh alone.
+// Collapses run on one thread, in an order that depends on the mesh alone.
 #pragma once
 
 #include "burnish/core/progress.h"

@@ -1,0 +1,17 @@
+// Moves the vertices of a mesh until its surface lies as near as it can to the points of another.
+//
+// By turns, each point of the other finds its nearest place on the mesh, and the vertices go where the sum of the
+// points' squared distances to those places, weighted by area, is least (Hoppe, DeRose, Duchamp, McDonald and Stuetzle,
+// "Mesh optimization", 1993, section 4.1).
+#pragma once
+
+#include "burnish/core/progress.h"
+#include "burnish/mesh/mesh.h"
+
+namespace burnish {
+
+// Triangles stay as they are, and none turns over. Vertices on edges of more than two triangles, or of two that turn
+// opposite ways, keep their places. `mesh` has positions only. Runs in parallel; sums are added in the points' order.
+void fit_surface(Mesh& mesh, const Mesh& to, const Progress& progress = {});
+
+}  // namespace burnish
