@@ -1,26 +1,11 @@
 #include "burnish/mesh/mesh.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 
 #include "burnish/core/error.h"
+#include "burnish/mesh/weld.h"
 
 namespace burnish {
-namespace {
-
-// For each position the smallest index of one with the same coordinates.
-std::vector<std::uint32_t> welded(const std::vector<Vec3d>& positions) {
-  std::map<std::tuple<double, double, double>, std::uint32_t> first;
-  std::vector<std::uint32_t> out;
-  out.reserve(positions.size());
-  for (const Vec3d& p : positions)
-    out.push_back(first.try_emplace({p.x, p.y, p.z}, std::uint32_t(out.size())).first->second);
-  return out;
-}
-
-}  // namespace
-
 Vec3d position_at(const Mesh& mesh, const MeshPoint& p) {
   return mesh.position(p.triangle, 0) * p.weight[0] + mesh.position(p.triangle, 1) * p.weight[1] +
          mesh.position(p.triangle, 2) * p.weight[2];
@@ -42,7 +27,7 @@ Vec2d uv_at(const Mesh& mesh, const MeshPoint& p) {
 
 void add_smooth_normals(Mesh& mesh) {
   if (mesh.has_normals()) return;
-  const std::vector<std::uint32_t> same = welded(mesh.positions);
+  const std::vector<std::uint32_t> same = weld(mesh.positions);
   std::vector<Vec3d> sum(mesh.positions.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); t++) {
     const Vec3d perpendicular = mesh.perpendicular(t);
