@@ -123,6 +123,9 @@ TEST(Transfer, SurfacesThatTouchAreFound) {
   const TransferMaps maps = transfer_detail(same, without_uvs(same), at_size(64, 64));
   EXPECT_EQ(maps.missed_texels, 0u);
   EXPECT_LT(maps.max_distance, 1e-5);
+
+  const Mesh layers = joined(joined(square(0.1), square(0)), square(-0.1));
+  for (const float d : transfer_detail(square(0), layers, at_size(16, 16)).displacement.data) EXPECT_NEAR(d, 0, 1e-6);
 }
 
 // A wall thinner than the way to its near side: its far side, met first, faces the other way.
@@ -144,6 +147,7 @@ TEST(Transfer, TheNearerSideCounts) {
   TransferOptions options = at_size(4, 4);
   options.max_distance = 1;
   EXPECT_NEAR(transfer_detail(square(0), layers, options).displacement.data[5], -0.2, 1e-6);
+  EXPECT_NEAR(transfer_detail(square(0.1), layers, options).displacement.data[5], 0.2, 1e-6);
   options.max_distance = 0.1, options.cage = 1;
   EXPECT_NEAR(transfer_detail(square(0), layers, options).displacement.data[5], 0.3, 1e-6);
   options.max_distance = 1, options.cage = 0.1;
@@ -173,6 +177,24 @@ TEST(Transfer, WhatRaysMissTheNearestPointServes) {
   }
   EXPECT_EQ(maps.missed_texels, missed * 32);
   EXPECT_EQ(maps.covered_texels, 32u * 32);
+}
+
+TEST(Transfer, WhatFacesTheOtherWayServesNoOne) {
+  // It stands upright, so that the normal which is kept is no default.
+  const auto wall = [](double x) {
+    return grid_mesh(
+        1, 1,
+        [x](double u, double v) {
+          return Vec3d{x, u, v};
+        },
+        identity_uv);
+  };
+  TransferOptions options = at_size(16, 16);
+  options.max_distance = 1;
+  const TransferMaps maps = transfer_detail(wall(0), without_uvs(facing_down(wall(0.01))), options);
+  EXPECT_EQ(maps.missed_texels, 256u);
+  EXPECT_EQ(maps.max_distance, 0);
+  for (const Vec3f& n : maps.normals) EXPECT_EQ(n, (Vec3f{1, 0, 0}));
 }
 
 TEST(Transfer, SamplesAreAveragedInsideTheChart) {

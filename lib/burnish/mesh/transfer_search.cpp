@@ -25,8 +25,7 @@ std::optional<RayHit> DetailSearch::facing_hit(Vec3d position, Vec3d ray, Vec3d 
 std::optional<Detail> DetailSearch::find(Vec3d position, Vec3d direction) const {
   std::optional<RayHit> best = facing_hit(position, direction, direction, reach_.cage);
   const double nearer = best ? std::min(best->t, reach_.max_distance) : reach_.max_distance;
-  const std::optional<RayHit> inwards = facing_hit(position, -direction, direction, nearer);
-  if (inwards && (!best || inwards->t < best->t)) best = inwards;
+  if (const auto inwards = facing_hit(position, -direction, direction, nearer)) best = inwards;
   std::optional<MeshPoint> point;
   if (best) {
     point = best->point;
