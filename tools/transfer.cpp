@@ -2,6 +2,7 @@
 #include "burnish/mesh/transfer.h"
 
 #include <charconv>
+#include <cstdio>
 
 #include "burnish/core/error.h"
 #include "burnish/mesh/baked_files.h"
