@@ -19,30 +19,27 @@ agrees() {
   done
 }
 
-@test "as mikktspace has them, on triangles without texture area and without area" {
+@test "as mikktspace has them, on triangles without texture area" {
   needs_node_package mikktspace
-  # A fan around vertex 1: the second triangle has no texture area, the fourth two corners at one place.
+  # A fan around vertex 1: the second triangle's texture lies on a line, exactly so in single precision too.
   cat >fan.obj <<'OBJ'
 v 0 0 0
 v 1 0 0.1
 v 0.8 0.7 0
 v 0 1 0.2
 v -0.9 0.3 0
-v -0.9 0.3 0
 v -0.2 -1 0.1
 vt 0.5 0.5
 vt 1 0.5
-vt 0.9 0.85
-vt 0.1 0.15
-vt 0.05 0.65
-vt 0.05 0.66
-vt 0.4 0
+vt 0.875 0.75
+vt 0.125 0.25
+vt 0.5 0.125
+vt 0.75 0.125
 vn 0.1 0 1
 f 1/1/1 2/2/1 3/3/1
 f 1/1/1 3/3/1 4/4/1
 f 1/1/1 4/4/1 5/5/1
 f 1/1/1 5/5/1 6/6/1
-f 1/1/1 6/6/1 7/7/1
 OBJ
   agrees fan fan.obj
 }
