@@ -170,6 +170,10 @@ int tangents(const std::vector<std::string>& a) {
   Mesh mesh = read_mesh(a.at(1));
   require_uvs(mesh, "for tangents");
   add_smooth_normals(mesh);
+  // In single precision, as those take them whose tangents these are held against.
+  for (auto* vectors : {&mesh.positions, &mesh.normals})
+    for (Vec3d& v : *vectors) v = Vec3d(Vec3f(v));
+  for (Vec2d& uv : mesh.uvs) uv = {float(uv.x), float(uv.y)};
   const TangentFrames frames = tangent_frames(mesh);
   for (std::size_t t = 0; t < mesh.triangles.size(); t++)
     for (int c = 0; c < 3; c++) {
