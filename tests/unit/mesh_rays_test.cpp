@@ -26,7 +26,7 @@ std::optional<RayHit> first_of_all(const Mesh& m, Vec3d o, Vec3d d, double most,
   for (std::uint32_t t = 0; t < m.triangles.size(); t++) {
     const Vec3d a = m.position(t, 0), e1 = m.position(t, 1) - a, e2 = m.position(t, 2) - a, p = cross(d, e2);
     const double det = dot(e1, p);
-    if (det == 0 || (facing == Facing::kFront && det < 0)) continue;
+    if (det == 0 || (facing == Facing::kFront && det < 0) || (facing == Facing::kBack && det > 0)) continue;
     const double u = dot(o - a, p) / det, v = dot(d, cross(o - a, e1)) / det, at = dot(e2, cross(o - a, e1)) / det;
     if (u < 0 || v < 0 || u + v > 1 || at < 0 || at > most || (best && at >= best->t)) continue;
     best = RayHit{{t, {1 - u - v, u, v}}, at};
@@ -43,7 +43,7 @@ TEST(MeshRays, FirstHitsAreThoseOfASearchOverAllTriangles) {
   for (int i = 0; i < 3000; i++) {
     const Vec3d origin = Vec3d{coordinate(), coordinate(), coordinate()} * 2.0,
                 direction = Vec3d{coordinate(), coordinate(), coordinate()} * 3.0;
-    const Facing facing = i % 2 ? Facing::kFront : Facing::kEither;
+    const Facing facing = i % 3 == 0 ? Facing::kFront : i % 3 == 1 ? Facing::kBack : Facing::kEither;
     const auto expected = first_of_all(mesh, origin, direction, 0.8, facing);
     const auto got = rays.first_hit(origin, direction, 0, 0.8, facing);
     ASSERT_EQ(got.has_value(), expected.has_value()) << i;
@@ -78,6 +78,20 @@ TEST(MeshRays, NearestPointsAreThoseOfADenseSampling) {
     EXPECT_LE(got->distance, sampled + 1e-12);
     EXPECT_GT(got->distance, sampled - 0.02);
     EXPECT_FALSE(rays.nearest(from, got->distance * 0.999));
+  }
+}
+
+TEST(MeshRays, TheNearestPointMayHaveToFaceADirection) {
+  const Mesh mesh = soup(200);
+  const MeshRays rays(mesh);
+  const Vec3d from{0.1, 0.2, 0.3};
+  for (Vec3d direction : {Vec3d{1, 0, 0}, Vec3d{0, -1, 1}, Vec3d{-1, 1, 1}}) {
+    const auto facing = rays.nearest(from, 10, direction), opposite = rays.nearest(from, 10, -direction),
+               any = rays.nearest(from, 10);
+    ASSERT_TRUE(facing && opposite && any);
+    EXPECT_GT(dot(mesh.perpendicular(facing->point.triangle), direction), 0);
+    EXPECT_LT(dot(mesh.perpendicular(opposite->point.triangle), direction), 0);
+    EXPECT_EQ(any->distance, std::min(facing->distance, opposite->distance));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "burnish/mesh/weld.h"
 
 namespace burnish {
+
 Vec3d position_at(const Mesh& mesh, const MeshPoint& p) {
   return mesh.position(p.triangle, 0) * p.weight[0] + mesh.position(p.triangle, 1) * p.weight[1] +
          mesh.position(p.triangle, 2) * p.weight[2];

@@ -103,15 +103,16 @@ std::optional<RayHit> MeshRays::first_hit(Vec3d origin, Vec3d direction, double 
   struct Context : RTCIntersectContext {
     const Mesh* mesh;
     Vec3d direction;
-    bool front_only;
+    Facing facing;
   } context;
   rtcInitIntersectContext(&context);
-  context.mesh = &impl_->mesh, context.direction = direction, context.front_only = facing == Facing::kFront;
-  // Refuses triangles seen from behind, or edge on, where double precision finds no place.
+  context.mesh = &impl_->mesh, context.direction = direction, context.facing = facing;
+  // Refuses triangles that face the wrong way, or lie edge on, where double precision finds no place.
   context.filter = [](const RTCFilterFunctionNArguments* args) {
     const auto* c = static_cast<const Context*>(args->context);
-    const double facing_ray = dot(c->mesh->perpendicular(RTCHitN_primID(args->hit, args->N, 0)), c->direction);
-    if (c->front_only ? !(facing_ray < 0) : facing_ray == 0) args->valid[0] = 0;
+    const double along = dot(c->mesh->perpendicular(RTCHitN_primID(args->hit, args->N, 0)), c->direction);
+    const bool met = c->facing == Facing::kFront ? along < 0 : c->facing == Facing::kBack ? along > 0 : along != 0;
+    if (!met) args->valid[0] = 0;
   };
   const Vec3d o = origin - impl_->centre;
   RTCRayHit query{};
@@ -125,13 +126,13 @@ std::optional<RayHit> MeshRays::first_hit(Vec3d origin, Vec3d direction, double 
   return impl_->refine(query.hit.primID, origin, direction);
 }
 
-std::optional<MeshRays::Nearest> MeshRays::nearest(Vec3d from, double most) const {
+std::optional<MeshRays::Nearest> MeshRays::nearest(Vec3d from, double most, Vec3d direction) const {
   struct Search {
     const Mesh& mesh;
-    Vec3d from;
+    Vec3d from, direction;
     double distance;
     std::optional<MeshPoint> best;
-  } search{impl_->mesh, from, most, {}};
+  } search{impl_->mesh, from, direction, most, {}};
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   const Vec3d p = from - impl_->centre;
@@ -141,6 +142,7 @@ std::optional<MeshRays::Nearest> MeshRays::nearest(Vec3d from, double most) cons
       impl_->scene, &query, &context,
       [](RTCPointQueryFunctionArguments* args) {
         auto& s = *static_cast<Search*>(args->userPtr);
+        if (s.direction != Vec3d{} && !(dot(s.mesh.perpendicular(args->primID), s.direction) > 0)) return false;
         const MeshPoint point = nearest_of_triangle(s.mesh, args->primID, s.from);
         const double distance = length(position_at(s.mesh, point) - s.from);
         const bool nearer =

@@ -17,7 +17,8 @@ struct RayHit {
   double t = 0;  // position = origin + t · direction
 };
 
-enum class Facing { kEither, kFront };  // kFront: only triangles whose outside the ray meets
+// Which triangles a ray meets: those it comes to from outside, from inside, or all.
+enum class Facing { kEither, kFront, kBack };
 
 class MeshRays {
  public:
@@ -31,12 +32,13 @@ class MeshRays {
   // from many threads.
   std::optional<RayHit> first_hit(Vec3d origin, Vec3d direction, double least, double most,
                                   Facing facing = Facing::kEither) const;
-  // The nearest point within `most`; the smallest triangle index of equally near ones.
+  // The nearest point within `most` on a triangle whose outside faces the half-space of `direction` (any, where that is
+  // zero); the smallest triangle index of equally near ones.
   struct Nearest {
     MeshPoint point;
     double distance = 0;
   };
-  std::optional<Nearest> nearest(Vec3d from, double most) const;
+  std::optional<Nearest> nearest(Vec3d from, double most, Vec3d direction = {}) const;
 
  private:
   struct Impl;

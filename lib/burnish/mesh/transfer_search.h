@@ -2,7 +2,7 @@
 //
 // Along a direction near the coarse mesh's normal, outwards up to `cage` and inwards up to `max_distance`, the nearest
 // hit on a triangle that faces the same half-space. Triangles that face the other way are the far sides of thin walls
-// and are passed over. Where no ray hits, as at rims, the nearest point within `max_distance` whose shading normal
+// and are passed over. Where no ray hits, as at rims, the nearest point within `max_distance` on a triangle that
 // passes the same test.
 #pragma once
 
@@ -31,8 +31,8 @@ class DetailSearch {
   std::optional<Detail> find(Vec3d position, Vec3d direction) const;
 
  private:
-  // The distance along `ray`, which is `direction` or its opposite; negative by rounding where the surfaces touch.
-  std::optional<RayHit> facing_hit(Vec3d position, Vec3d ray, Vec3d direction, double most) const;
+  // Its distance is negative by rounding where the surfaces touch.
+  std::optional<RayHit> hit(Vec3d position, Vec3d ray, double most, Facing facing) const;
 
   const Mesh& mesh_;
   MeshRays rays_;

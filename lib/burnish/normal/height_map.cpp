@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "burnish/core/error.h"
+#include "burnish/normal/height_texels.h"
 
 namespace burnish {
 namespace {
@@ -22,42 +23,6 @@ double arc_tangent(double x) {
                         y * (-0.1420889944 +
                              y * (0.1065626393 + y * (-0.0752896400 +
                                                       y * (0.0429096138 + y * (-0.0161657367 + y * 0.0028662257))))))));
-}
-
-// Which row or column stands at i, for i outside [0, n) too; −1: none.
-int wrapped(int i, int n, Wrap wrap) {
-  if (i >= 0 && i < n) return i;
-  switch (wrap) {
-    case Wrap::kFit:
-      return -1;
-    case Wrap::kClamp:
-      return i < 0 ? 0 : n - 1;
-    case Wrap::kRepeat:
-      return ((i % n) + n) % n;
-    case Wrap::kMirror: {
-      const int m = ((i % (2 * n)) + 2 * n) % (2 * n);
-      return m < n ? m : 2 * n - 1 - m;
-    }
-  }
-  return -1;
-}
-
-int find_channel(const ImageReader& reader, const std::string& wanted) {
-  if (wanted.empty()) return 0;
-  const std::vector<std::string>& names = reader.channel_names();
-  for (std::size_t i = 0; i < names.size(); i++)
-    if (names[i] == wanted || (names[i].size() == wanted.size() &&
-                               std::equal(names[i].begin(), names[i].end(), wanted.begin(), [](char a, char b) {
-                                 return std::tolower(static_cast<unsigned char>(a)) ==
-                                        std::tolower(static_cast<unsigned char>(b));
-                               })))
-      return int(i);
-  if (wanted.find_first_not_of("0123456789") == std::string::npos && wanted.size() < 5 &&
-      std::stoi(wanted) < reader.channels())
-    return std::stoi(wanted);
-  std::string all;
-  for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
-  throw file_error(ErrorKind::kMalformed, reader.name(), "expected channel " + wanted + ", got " + all);
 }
 
 // A band of rows with what its texels' neighbourhoods need around it.
@@ -75,7 +40,7 @@ struct Band {
 class BandSource {
  public:
   BandSource(const FileRef& file, const HeightMapOptions& options, int radius)
-      : options_(options), radius_(radius), reader_(file), channel_(find_channel(reader_, options.channel)) {
+      : options_(options), radius_(radius), reader_(file), channel_(height_channel(reader_, options.channel)) {
     if (!options.mask.empty()) {
       mask_.emplace(options.mask);
       mask_->require_size(width(), height(), "the height map");
@@ -111,7 +76,7 @@ class BandSource {
     if (mask_) band.exists.resize(size);
     for (int p = 0; p < band.rows + 2 * radius_; p++) {
       const std::size_t at = std::size_t(p) * band.stride;
-      fill_row(wrapped(band.first - radius_ + p, height(), options_.wrap_v), band.displacement.data() + at,
+      fill_row(wrapped_texel(band.first - radius_ + p, height(), options_.wrap_v), band.displacement.data() + at,
                mask_ ? band.exists.data() + at : nullptr);
     }
     next_ += band.rows;
@@ -197,7 +162,7 @@ class BandSource {
     if (exists) std::memcpy(exists + radius_, row.exists.data(), w);
     for (int i = 0; i < radius_; i++)
       for (const auto& [x, at] : {std::pair{i - radius_, i}, std::pair{w + i, radius_ + w + i}}) {
-        const int from = wrapped(x, w, options_.wrap_u);
+        const int from = wrapped_texel(x, w, options_.wrap_u);
         displacement[at] = from < 0 ? 0.f : row.displacement[from];
         if (exists) exists[at] = from < 0 ? 0 : row.exists[from];
       }
