@@ -10,6 +10,12 @@ namespace {
 using testing::brute_nearest;
 using testing::Random;
 
+// An entry finds itself, wherever rounding puts it behind another.
+int brute_itself_or_nearest(const std::vector<Vec3f>& entries, Vec3f v) {
+  const auto itself = std::ranges::find(entries, v);
+  return itself != entries.end() ? int(itself - entries.begin()) : brute_nearest(entries, v);
+}
+
 enum class Spread { kSphere, kCap, kGreatCircle, kDuplicates, kAxes };
 
 std::vector<Vec3f> make_palette(Spread spread, int n, Random& random) {
@@ -72,7 +78,7 @@ TEST(PaletteNearestEntry, FindsWhatBruteForceFinds) {
       const std::vector<Vec3f> entries = make_palette(spread, n, random);
       const NearestEntry nearest(entries);
       for (const Vec3f& v : make_queries(entries, n > 5000 ? 150 : 1500, random)) {
-        const int found = nearest(v), expected = brute_nearest(entries, v);
+        const int found = nearest(v), expected = brute_itself_or_nearest(entries, v);
         ASSERT_EQ(found, expected) << "spread " << int(spread) << ", " << n << " entries, query " << v.x << " " << v.y
                                    << " " << v.z << ": dot " << dot(v, entries[found]) << " against "
                                    << dot(v, entries[expected]);
@@ -86,7 +92,7 @@ TEST(PaletteNearestEntry, AnEntryFindsItselfOrItsFirstDouble) {
   for (int i = 0; i < 500; i++) entries.push_back(entries[random.below(3000)]);
   const NearestEntry nearest(entries);
   for (std::size_t i = 0; i < entries.size(); i++)
-    ASSERT_EQ(nearest(entries[i]), brute_nearest(entries, entries[i])) << "entry " << i;
+    ASSERT_EQ(nearest(entries[i]), std::ranges::find(entries, entries[i]) - entries.begin()) << "entry " << i;
 }
 
 TEST(PaletteNearestEntry, ATieGoesToTheSmallerIndex) {
@@ -113,7 +119,7 @@ TEST(PaletteNearestEntry, EntriesAsCloseAsFloatsCanBe) {
     const NearestEntry nearest(entries);
     for (int i = 0; i < 3000; i++) {
       const Vec3f v = i % 2 ? random.direction() : entries[random.below(300)];
-      ASSERT_EQ(nearest(v), brute_nearest(entries, v))
+      ASSERT_EQ(nearest(v), brute_itself_or_nearest(entries, v))
           << "spread " << spread << ", query " << v.x << " " << v.y << " " << v.z;
     }
   }

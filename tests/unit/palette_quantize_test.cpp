@@ -90,6 +90,25 @@ TEST(PaletteQuantize, LosslessWhereThePaletteHoldsEveryNormal) {
     }
 }
 
+// One step of 16 bits apart, less than the rounding of a dot product tells apart.
+TEST(PaletteQuantize, LosslessForNormalsOneStepApart) {
+  const ScratchDir dir;
+  Image image(500, 2, 3);
+  for (int i = 0; i < 1000; i++)
+    for (int c = 0; c < 3; c++) image.data[3 * i + c] = float(c == 0 ? 32768 + i : c == 1 ? 32768 : 65535) / 65535.f;
+  write_image(dir / "n.png", FileType::kPng, SampleType::kUint16, image);
+  for (const Dither dither : {Dither::kNone, Dither::kDiffusion, Dither::kBlueNoise}) {
+    QuantizeOptions options;
+    options.normals = 1000;
+    options.dither = dither;
+    const QuantizedMap r = quantize_normal_map({dir / "n.png"}, options);
+    EXPECT_TRUE(r.stats.lossless) << "dither " << int(dither);
+    EXPECT_GT(r.stats.normals, 990);
+    const std::vector<Vec3f> in = stored(dir / "n.png");
+    for (std::size_t i = 0; i < in.size(); i++) ASSERT_LT(angle_deg(in[i], normal_at(r.map, i)), 3e-5) << "texel " << i;
+  }
+}
+
 TEST(PaletteQuantize, ReportsWhatBruteForceMeasures) {
   const ScratchDir dir;
   write_normals(dir / "n.png", SampleType::kUint8, kW, kH, bumpy_normals(kW, kH));

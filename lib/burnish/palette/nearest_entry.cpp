@@ -10,10 +10,11 @@
 namespace burnish {
 namespace {
 
-constexpr int kTopDepth = 4;      // walks begin on a grid of 16 × 16 cells a face
-constexpr int kMaxDepth = 14;     // where entries coincide no division parts them
-constexpr float kFarthest = 16;   // radii from the nearest entry to a cell that is divided
-constexpr std::size_t kLeaf = 6;  // comparing so few is as fast as going deeper
+constexpr int kTopDepth = 4;         // walks begin on a grid of 16 × 16 cells a face
+constexpr int kMaxDepth = 14;        // where entries coincide no division parts them
+constexpr float kFarthest = 16;      // radii from the nearest entry to a cell that is divided
+constexpr std::size_t kLeaf = 6;     // comparing so few is as fast as going deeper
+constexpr float kAlike = 1 - 1e-6f;  // of unit vectors above it rounding may tie others with the vector itself
 
 struct FacePoint {
   int face;
@@ -113,6 +114,9 @@ int NearestEntry::operator()(Vec3f v) const {
     const int c = tree.candidates[node.first + i];
     if (const float d = dot(v, entries_[c]); d > most) most = d, best = c;
   }
+  if (most > kAlike && entries_[best] != v)
+    for (std::uint32_t i = 0; i < node.count; i++)
+      if (const int c = tree.candidates[node.first + i]; entries_[c] == v) return c;
   return best;
 }
 

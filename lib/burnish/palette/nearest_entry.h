@@ -20,7 +20,8 @@ class NearestEntry {
   // `entries` are unit; 1 to 65536 of them; they are copied. Builds in parallel; the result does not depend on threads.
   explicit NearestEntry(std::span<const Vec3f> entries);
 
-  // Index of the entry with the largest dot product with v, the smaller index in a tie; v has any length but 0.
+  // Index of the entry that is v; where there is none, of that with the largest dot product with v, which in floats
+  // ties entries less than 0.02° apart. The smaller index in a tie. v has any length but 0.
   int operator()(Vec3f v) const;
 
  private:
