@@ -45,8 +45,8 @@ std::string stem_of(const std::string& input) {
 // The file that goes with each map: one for all, or one for each in their order; {stem} is the map's own stem.
 Paths for_each_map(const Options& o, const std::string& flag, const Paths& given) {
   if (given.empty()) return Paths(o.inputs.size());
-  if (given.size() != 1 && given.size() != o.inputs.size())
-    throw usage(flag + ": expected one for all " + std::to_string(o.inputs.size()) + " maps or one for each, got " +
+  if (const std::size_t maps = o.inputs.size(); given.size() != 1 && given.size() != maps)
+    throw usage(flag + ": expected one file" + (maps > 1 ? " or " + std::to_string(maps) : "") + ", got " +
                 std::to_string(given.size()));
   Paths paths;
   for (std::size_t i = 0; i < o.inputs.size(); i++) {
@@ -183,7 +183,7 @@ void add_options(CLI::App& app, Options& o) {
   const auto add_files = [&](const std::string& flag, Paths& files, const std::string& help) {
     app.add_option(flag, files, help + ". Of several maps: once for all or once for each; {stem} is a map's stem")
         ->type_name("FILE")
-        ->expected(1)
+        ->allow_extra_args(false)  // what follows is a map
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   };
   add_files("--material", o.materials, "Material id of each texel: one channel, 8-bit");

@@ -57,9 +57,9 @@ std::vector<Colour> read_cube_colours(const FileRef& file, const MaterialCube& c
   ImageReader reader(file);
   const int channels = reader.channels();
   if (channels < cube.channels())
-    throw file_error(
-        ErrorKind::kMalformed, file.name,
-        "expected " + std::to_string(cube.channels()) + " channels of colours, got " + std::to_string(channels));
+    throw file_error(ErrorKind::kMalformed, file.name,
+                     "expected " + std::to_string(cube.channels()) + " channels of a quantizer's colours, got " +
+                         std::to_string(channels));
   if (!reader.has_exact_samples() || reader.sample_type() != SampleType::kUint8)
     throw file_error(ErrorKind::kMalformed, file.name,
                      std::string("expected colours of uint8, got ") + name(reader.sample_type()));
