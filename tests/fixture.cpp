@@ -6,6 +6,10 @@
 //   burnish-fixture text FILE                 8-bit samples as a plain PGM or PPM
 //   burnish-fixture same A B [TOLERANCE]      exit 1 and a line where decoded samples differ by more
 //   burnish-fixture digest FILE               an indexed map: sizes, intervals, entries, hashes of indices
+//   burnish-fixture strays MAP IDS            how many texels of an indexed map are of another material than IDS says
+//   burnish-fixture cube-strays alpha|subcubes MATERIALS IMAGE QUANTIZED
+//                                             how many texels of an --emit-rgb image another quantizer gave another
+//                                             material
 //   burnish-fixture mesh NAME ROWS FILE       one of mesh_patterns.h
 //   burnish-fixture tangents MESH             a line a corner: position, normal, texture coordinates, tangent, sign
 #include <cmath>
@@ -25,6 +29,7 @@
 #include "burnish/mesh/mesh_io.h"
 #include "burnish/mesh/tangent_frames.h"
 #include "burnish/palette/indexed_map.h"
+#include "burnish/palette/material_cube.h"
 #include "mesh_patterns.h"
 
 using namespace burnish;
@@ -186,6 +191,33 @@ int tangents(const std::vector<std::string>& a) {
   return 0;
 }
 
+int strays(const std::vector<std::string>& a) {
+  const IndexedMap map = read_indexed_map(a.at(1));
+  const ByteImage ids = read_ids(a.at(2), map.width(), map.height());
+  std::size_t texels = 0;
+  for (std::size_t i = 0; i < ids.data.size(); i++)
+    texels += map.palette.materials[map.palette.interval_of(map.levels[0].data[i])].id != ids.data[i];
+  std::printf("%zu\n", texels);
+  return 0;
+}
+
+int cube_strays(const std::vector<std::string>& a) {
+  const MaterialCube cube(a.at(1) == "alpha" ? MaterialEncoding::kAlpha : MaterialEncoding::kSubcubes,
+                          std::stoi(a.at(2)));
+  const Image before = read_image(a.at(3)), after = read_image(a.at(4));
+  if (before.width != after.width || before.height != after.height || after.channels < cube.channels())
+    throw std::runtime_error("not of one size and kind");
+  const auto material = [&](const Image& image, std::size_t i) {
+    Colour c{0, 0, 0, 255};
+    for (int k = 0; k < cube.channels(); k++) c[k] = std::round(image.data[i * image.channels + k] * 255);
+    return cube.decode(c).material;
+  };
+  std::size_t texels = 0;
+  for (std::size_t i = 0; i < before.texels(); i++) texels += material(before, i) != material(after, i);
+  std::printf("%zu\n", texels);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -197,9 +229,13 @@ int main(int argc, char** argv) {
     if (!a.empty() && a[0] == "text") return text(a);
     if (!a.empty() && a[0] == "same") return same(a);
     if (!a.empty() && a[0] == "digest") return digest(a);
+    if (!a.empty() && a[0] == "strays") return strays(a);
+    if (!a.empty() && a[0] == "cube-strays") return cube_strays(a);
     if (!a.empty() && a[0] == "mesh") return mesh(a);
     if (!a.empty() && a[0] == "tangents") return tangents(a);
-    std::fprintf(stderr, "burnish-fixture: expected make, info, texel, text, same, digest, mesh or tangents\n");
+    std::fprintf(
+        stderr,
+        "burnish-fixture: expected make, info, texel, text, same, digest, strays, cube-strays, mesh or tangents\n");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "burnish-fixture: %s\n", error.what());
   }
