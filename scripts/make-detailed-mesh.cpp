@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "burnish/mesh/mesh.h"
-#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/files/mesh_io.h"
 #include "burnish/mesh/weld.h"
 #include "noise.h"
 

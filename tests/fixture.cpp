@@ -26,7 +26,7 @@
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
 #include "burnish/core/vec3.h"
-#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/files/mesh_io.h"
 #include "burnish/mesh/tangent_frames.h"
 #include "burnish/palette/indexed_map.h"
 #include "burnish/palette/material_cube.h"

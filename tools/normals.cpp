@@ -1,9 +1,9 @@
 // burnish-normals: displacement map to normal map.
 #include "burnish/core/error.h"
-#include "burnish/mesh/baked_files.h"
-#include "burnish/mesh/displaced_normals.h"
-#include "burnish/mesh/gutter.h"
-#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/bake/baked_files.h"
+#include "burnish/mesh/bake/displaced_normals.h"
+#include "burnish/mesh/bake/gutter.h"
+#include "burnish/mesh/files/mesh_io.h"
 #include "burnish/normal/height_map.h"
 #include "cli/options.h"
 #include "cli/tool.h"

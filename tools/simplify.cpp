@@ -2,9 +2,9 @@
 #include <limits>
 
 #include "burnish/core/error.h"
-#include "burnish/mesh/atlas.h"
-#include "burnish/mesh/decimate.h"
-#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/atlas/atlas.h"
+#include "burnish/mesh/files/mesh_io.h"
+#include "burnish/mesh/simplify/decimate.h"
 #include "cli/tool.h"
 
 using namespace burnish;

@@ -1,12 +1,12 @@
 // burnish-transfer: detail of a mesh into maps over the texture coordinates of a coarser one.
-#include "burnish/mesh/transfer.h"
+#include "burnish/mesh/bake/transfer.h"
 
 #include <charconv>
 #include <cstdio>
 
 #include "burnish/core/error.h"
-#include "burnish/mesh/baked_files.h"
-#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/bake/baked_files.h"
+#include "burnish/mesh/files/mesh_io.h"
 #include "cli/options.h"
 #include "cli/tool.h"
 

@@ -5,11 +5,11 @@
 #include <set>
 
 #include "../mesh_patterns.h"
-#include "burnish/mesh/atlas.h"
-#include "burnish/mesh/chart_packing.h"
-#include "burnish/mesh/chart_tree.h"
-#include "burnish/mesh/decimate.h"
-#include "burnish/mesh/flat_chart.h"
+#include "burnish/mesh/atlas/atlas.h"
+#include "burnish/mesh/atlas/chart_packing.h"
+#include "burnish/mesh/atlas/chart_tree.h"
+#include "burnish/mesh/atlas/flat_chart.h"
+#include "burnish/mesh/simplify/decimate.h"
 #include "expect_error.h"
 
 namespace burnish {

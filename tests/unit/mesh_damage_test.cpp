@@ -4,7 +4,7 @@
 #include <random>
 
 #include "burnish/core/error.h"
-#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/files/mesh_io.h"
 #include "mesh_samples.h"
 
 namespace burnish {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "../mesh_patterns.h"
-#include "burnish/mesh/decimate.h"
 #include "burnish/mesh/mesh_rays.h"
-#include "burnish/mesh/quadric.h"
+#include "burnish/mesh/simplify/decimate.h"
+#include "burnish/mesh/simplify/quadric.h"
 #include "burnish/mesh/weld.h"
 
 namespace burnish {

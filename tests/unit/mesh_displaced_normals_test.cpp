@@ -5,9 +5,9 @@
 
 #include "../mesh_patterns.h"
 #include "burnish/core/parallel.h"
-#include "burnish/mesh/displaced_normals.h"
+#include "burnish/mesh/bake/displaced_normals.h"
+#include "burnish/mesh/bake/uv_raster.h"
 #include "burnish/mesh/tangent_frames.h"
-#include "burnish/mesh/uv_raster.h"
 #include "expect_error.h"
 #include "scratch_dir.h"
 

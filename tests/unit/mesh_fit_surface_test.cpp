@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "../mesh_patterns.h"
-#include "burnish/mesh/fit_surface.h"
 #include "burnish/mesh/mesh_rays.h"
+#include "burnish/mesh/simplify/fit_surface.h"
 
 namespace burnish {
 namespace {

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "burnish/core/parallel.h"
-#include "burnish/mesh/gutter.h"
+#include "burnish/mesh/bake/gutter.h"
 
 namespace burnish {
 namespace {

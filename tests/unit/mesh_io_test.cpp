@@ -1,4 +1,4 @@
-#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/files/mesh_io.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // What is wrong with a mesh file, said with the line, the element or the facet.
 #include <gtest/gtest.h>
 
-#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/files/mesh_io.h"
 #include "expect_error.h"
 #include "mesh_samples.h"
 

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "burnish/mesh/polygon.h"
+#include "burnish/mesh/files/polygon.h"
 
 namespace burnish {
 namespace {

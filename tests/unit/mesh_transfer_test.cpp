@@ -4,10 +4,10 @@
 
 #include "../mesh_patterns.h"
 #include "burnish/core/parallel.h"
-#include "burnish/mesh/displaced_normals.h"
+#include "burnish/mesh/bake/displaced_normals.h"
+#include "burnish/mesh/bake/transfer.h"
+#include "burnish/mesh/bake/uv_raster.h"
 #include "burnish/mesh/tangent_frames.h"
-#include "burnish/mesh/transfer.h"
-#include "burnish/mesh/uv_raster.h"
 #include "expect_error.h"
 
 namespace burnish {

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "../mesh_patterns.h"
-#include "burnish/mesh/uv_raster.h"
+#include "burnish/mesh/bake/uv_raster.h"
 #include "expect_error.h"
 
 namespace burnish {

@@ -1,4 +1,4 @@
-#include "burnish/mesh/chart_tree.h"
+#include "burnish/mesh/atlas/chart_tree.h"
 
 #include <algorithm>
 #include <map>

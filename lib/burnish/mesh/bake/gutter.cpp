@@ -1,4 +1,4 @@
-#include "burnish/mesh/gutter.h"
+#include "burnish/mesh/bake/gutter.h"
 
 #include <algorithm>
 #include <cstdlib>

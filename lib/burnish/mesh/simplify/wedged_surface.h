@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "burnish/mesh/connectivity.h"
-#include "burnish/mesh/quadric.h"
+#include "burnish/mesh/simplify/connectivity.h"
+#include "burnish/mesh/simplify/quadric.h"
 #include "burnish/mesh/weld.h"
 
 namespace burnish {

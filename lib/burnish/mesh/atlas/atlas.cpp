@@ -1,11 +1,11 @@
-#include "burnish/mesh/atlas.h"
+#include "burnish/mesh/atlas/atlas.h"
 
 #include <utility>
 #include <vector>
 
 #include "burnish/core/error.h"
-#include "burnish/mesh/chart_packing.h"
-#include "burnish/mesh/chart_tree.h"
+#include "burnish/mesh/atlas/chart_packing.h"
+#include "burnish/mesh/atlas/chart_tree.h"
 
 namespace burnish {
 namespace {

@@ -1,4 +1,4 @@
-#include "burnish/mesh/connectivity.h"
+#include "burnish/mesh/simplify/connectivity.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/System/omstream.hh>

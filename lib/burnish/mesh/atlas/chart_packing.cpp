@@ -1,4 +1,4 @@
-#include "burnish/mesh/chart_packing.h"
+#include "burnish/mesh/atlas/chart_packing.h"
 
 #include <algorithm>
 #include <array>

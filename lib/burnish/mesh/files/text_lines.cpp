@@ -1,4 +1,4 @@
-#include "burnish/mesh/text_lines.h"
+#include "burnish/mesh/files/text_lines.h"
 
 #include <algorithm>
 #include <cfloat>

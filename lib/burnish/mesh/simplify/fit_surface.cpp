@@ -1,4 +1,4 @@
-#include "burnish/mesh/fit_surface.h"
+#include "burnish/mesh/simplify/fit_surface.h"
 
 #include <limits>
 #include <map>

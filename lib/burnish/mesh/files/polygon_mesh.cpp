@@ -1,9 +1,9 @@
-#include "burnish/mesh/polygon_mesh.h"
+#include "burnish/mesh/files/polygon_mesh.h"
 
 #include <limits>
 
 #include "burnish/core/error.h"
-#include "burnish/mesh/polygon.h"
+#include "burnish/mesh/files/polygon.h"
 
 namespace burnish {
 namespace {

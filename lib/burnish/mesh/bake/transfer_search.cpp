@@ -1,4 +1,4 @@
-#include "burnish/mesh/transfer_search.h"
+#include "burnish/mesh/bake/transfer_search.h"
 
 #include <algorithm>
 

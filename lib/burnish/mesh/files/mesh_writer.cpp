@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "burnish/core/error.h"
-#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/files/mesh_io.h"
 #include "burnish/mesh/weld.h"
 
 namespace burnish {

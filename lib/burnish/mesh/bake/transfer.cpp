@@ -1,4 +1,4 @@
-#include "burnish/mesh/transfer.h"
+#include "burnish/mesh/bake/transfer.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,10 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
-#include "burnish/mesh/gutter.h"
+#include "burnish/mesh/bake/gutter.h"
+#include "burnish/mesh/bake/transfer_search.h"
+#include "burnish/mesh/bake/uv_raster.h"
 #include "burnish/mesh/tangent_frames.h"
-#include "burnish/mesh/transfer_search.h"
-#include "burnish/mesh/uv_raster.h"
 
 namespace burnish {
 namespace {

@@ -28,8 +28,8 @@ struct DecimateStats {
 };
 
 // At most `faces` triangles: as many, or one fewer where the surface is closed and the number odd; more where nothing
-// else can be taken away. Normals are smooth ones, made anew. A mesh that has no more triangles comes back as it is, with
-// smooth normals where it has none.
+// else can be taken away. Normals are smooth ones, made anew. A mesh that has no more triangles comes back as it is,
+// with smooth normals where it has none.
 Mesh decimate(const Mesh& mesh, std::size_t faces, DecimateStats* stats = nullptr, const Progress& progress = {});
 
 }  // namespace burnish

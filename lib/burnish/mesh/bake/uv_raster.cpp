@@ -1,4 +1,4 @@
-#include "burnish/mesh/uv_raster.h"
+#include "burnish/mesh/bake/uv_raster.h"
 
 #include <algorithm>
 #include <cmath>

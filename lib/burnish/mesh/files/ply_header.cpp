@@ -1,4 +1,4 @@
-#include "burnish/mesh/ply_header.h"
+#include "burnish/mesh/files/ply_header.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "burnish/mesh/flat_chart.h"
+#include "burnish/mesh/atlas/flat_chart.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "burnish/mesh/baked_files.h"
+#include "burnish/mesh/bake/baked_files.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "burnish/core/progress.h"
-#include "burnish/mesh/flat_chart.h"
+#include "burnish/mesh/atlas/flat_chart.h"
 
 namespace burnish {
 

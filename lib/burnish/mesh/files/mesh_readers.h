@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-#include "burnish/mesh/polygon_mesh.h"
+#include "burnish/mesh/files/polygon_mesh.h"
 
 namespace burnish {
 

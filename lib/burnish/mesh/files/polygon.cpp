@@ -1,4 +1,4 @@
-#include "burnish/mesh/polygon.h"
+#include "burnish/mesh/files/polygon.h"
 
 namespace burnish {
 namespace {

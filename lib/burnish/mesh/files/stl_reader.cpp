@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "burnish/core/error.h"
-#include "burnish/mesh/mesh_readers.h"
-#include "burnish/mesh/text_lines.h"
+#include "burnish/mesh/files/mesh_readers.h"
+#include "burnish/mesh/files/text_lines.h"
 #include "burnish/mesh/weld.h"
 
 namespace burnish {

@@ -1,4 +1,4 @@
-#include "burnish/mesh/mesh_io.h"
+#include "burnish/mesh/files/mesh_io.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "burnish/core/error.h"
-#include "burnish/mesh/mesh_readers.h"
+#include "burnish/mesh/files/mesh_readers.h"
 
 namespace burnish {
 namespace {

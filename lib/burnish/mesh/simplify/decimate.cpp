@@ -1,4 +1,4 @@
-#include "burnish/mesh/decimate.h"
+#include "burnish/mesh/simplify/decimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "burnish/core/parallel.h"
-#include "burnish/mesh/fit_surface.h"
 #include "burnish/mesh/mesh_rays.h"
-#include "burnish/mesh/wedged_surface.h"
+#include "burnish/mesh/simplify/fit_surface.h"
+#include "burnish/mesh/simplify/wedged_surface.h"
 
 namespace burnish {
 namespace {

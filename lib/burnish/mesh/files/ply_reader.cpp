@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "burnish/core/error.h"
-#include "burnish/mesh/mesh_readers.h"
-#include "burnish/mesh/ply_rows.h"
+#include "burnish/mesh/files/mesh_readers.h"
+#include "burnish/mesh/files/ply_rows.h"
 
 namespace burnish {
 namespace {

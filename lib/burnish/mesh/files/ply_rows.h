@@ -16,7 +16,7 @@
 #include <limits>
 
 #include "burnish/core/error.h"
-#include "burnish/mesh/ply_header.h"
+#include "burnish/mesh/files/ply_header.h"
 
 namespace burnish {
 

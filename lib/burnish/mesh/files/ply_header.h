@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/mesh/text_lines.h"
+#include "burnish/mesh/files/text_lines.h"
 
 namespace burnish {
 

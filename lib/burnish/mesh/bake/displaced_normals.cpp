@@ -1,4 +1,4 @@
-#include "burnish/mesh/displaced_normals.h"
+#include "burnish/mesh/bake/displaced_normals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
-#include "burnish/mesh/uv_raster.h"
+#include "burnish/mesh/bake/uv_raster.h"
 #include "burnish/normal/height_texels.h"
 #include "burnish/normal/plane_fit.h"
 
