@@ -229,6 +229,7 @@ TEST(PaletteShared, AnErrorNamesItsMap) {
   files = stack.apart;
   files[2].normals = stack.dir / "none.png";
   EXPECT_ERROR(quantize(files, {}), ErrorKind::kIo, "none.png'");
+  EXPECT_ERROR(quantize({}, {}), ErrorKind::kUsage, "at least one map");
 }
 
 }  // namespace

@@ -14,6 +14,8 @@
 
 namespace burnish {
 
+enum class Dither { kNone, kDiffusion, kBlueNoise };
+
 // The entries of one material: where they begin in the palette, and how to find the nearest of them.
 struct EntryRange {
   int first = 0;

@@ -15,8 +15,6 @@
 
 namespace burnish {
 
-enum class Dither { kNone, kDiffusion, kBlueNoise };
-
 // How to find the nearest entries of each of the histogram's groups in a palette. kMalformed, naming the palette, where
 // it has no entry of a material.
 std::vector<EntryRange> entry_ranges(const Palette& palette, const std::vector<int>& materials,

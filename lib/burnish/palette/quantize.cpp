@@ -8,12 +8,14 @@
 #include "burnish/palette/fit_palette.h"
 #include "burnish/palette/histogram.h"
 #include "burnish/palette/imagequant_engine.h"
+#include "burnish/palette/mapper.h"
 
 namespace burnish {
 namespace {
 
 void check(const QuantizeOptions& o, const std::vector<MapFiles>& maps) {
   const auto usage = [](const std::string& message) { throw Error(ErrorKind::kUsage, message); };
+  if (maps.empty()) usage("expected at least one map, got none");
   if (o.normals < 2 || o.normals > kMaxPaletteSize)
     usage("normals: expected 2 to 65536, got " + std::to_string(o.normals));
   if (o.target_error_deg && !(*o.target_error_deg >= 0 && *o.target_error_deg <= 180))

@@ -12,10 +12,10 @@
 
 #include "burnish/core/progress.h"
 #include "burnish/normal/coding.h"
+#include "burnish/palette/dither.h"
 #include "burnish/palette/engine.h"
 #include "burnish/palette/indexed_map.h"
 #include "burnish/palette/map_set.h"
-#include "burnish/palette/mapper.h"
 #include "burnish/palette/material_cube.h"
 
 namespace burnish {
@@ -55,9 +55,9 @@ struct QuantizeResult {
 // Takes each map, of one level, when it is done, in their order.
 using MapSink = std::function<void(std::size_t i, const IndexedMap& map)>;
 
-// Holds one map at a time. Errors: kUsage for options out of range, or colours to be written with kSplit; kMalformed
-// for NaN, sizes that differ, materials a given palette lacks, fewer normals than materials; kUnsupported for more than
-// an engine or encoding holds; kThreshold where 65536 normals miss the target error.
+// Holds one map at a time. Errors: kUsage for no maps, options out of range, or colours to be written with kSplit;
+// kMalformed for NaN, sizes that differ, materials a given palette lacks, fewer normals than materials; kUnsupported
+// for more than an engine or encoding holds; kThreshold where 65536 normals miss the target error.
 QuantizeResult quantize_normal_maps(std::vector<MapFiles> maps, const QuantizeOptions& options, const MapSink& sink,
                                     const Progress& progress = {});
 
