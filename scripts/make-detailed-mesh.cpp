@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "burnish/mesh/mesh.h"
 #include "burnish/mesh/files/mesh_io.h"
+#include "burnish/mesh/mesh.h"
 #include "burnish/mesh/weld.h"
 #include "noise.h"
 

@@ -1,5 +1,4 @@
-// Makes the inputs of the samples: a displacement map of paving stones, and the object-space normal map of a cratered
-// planet.
+// Makes inputs of the samples: a displacement map of paving stones, and a panorama of light from all sides.
 //
 //   make-samples DIRECTORY [SIDE]      SIDE texels of the stones, 1024 by default
 //
@@ -52,32 +51,45 @@ double stones(double u, double v) {
   return std::min(1.0, std::max(0.0, edge * stone + (1 - edge) * (0.18 + 0.06 * sand)));
 }
 
-struct Crater {
-  Vec3d centre;
-  double radius, depth;
-};
-
-std::vector<Crater> craters() {
-  std::vector<Crater> out;
-  for (int i = 0; i < 180; i++) {
-    const double z = 2 * hash(i, 0, 0, 7) - 1, a = 2 * kPi * hash(i, 1, 0, 7), r = std::sqrt(1 - z * z);
-    const double radius = 0.035 + 0.26 * std::pow(hash(i, 2, 0, 7), 5);
-    out.push_back({{r * std::cos(a), r * std::sin(a), z}, radius, 0.22 * radius});
+// Light that comes from a direction: sky with a sun and clouds above, tiles and distant hills below, and three soft
+// boxes as photographers hang them.
+Vec3d surroundings(Vec3d d) {
+  const auto mix = [](Vec3d a, Vec3d b, double t) { return a * (1 - t) + b * t; };
+  const double hills = 0.05 + 0.09 * turbulence({3 * d.x, 3 * d.z, 0.5}, 4, 200);
+  Vec3d light;
+  if (d.y > hills) {
+    light = mix({0.80, 0.88, 0.95}, {0.12, 0.28, 0.75}, std::sqrt(d.y));
+    const double cloud = ramp(0.02, 0.35, turbulence({2 * d.x / (d.y + 0.3), 2 * d.z / (d.y + 0.3), 4.5}, 5, 210));
+    light = mix(light, {1.1, 1.08, 1.05}, 0.8 * cloud);
+  } else if (d.y > 0) {
+    light = mix({0.16, 0.20, 0.12}, {0.30, 0.38, 0.42}, d.y / 0.1);
+  } else {
+    const double x = d.x / (0.05 - d.y), z = d.z / (0.05 - d.y);
+    const double tiles = ramp(-0.25, 0.25, std::sin(2.2 * x) * std::sin(2.2 * z));
+    const Vec3d floor = mix({0.24, 0.13, 0.07}, {0.46, 0.35, 0.24}, tiles);
+    light = mix({0.30, 0.27, 0.22}, floor, ramp(0.05, 0.40, -d.y));
   }
-  return out;
-}
-
-// Distance of the planet's surface from its centre.
-double planet(Vec3d d, const std::vector<Crater>& all) {
-  double h = 0.06 * turbulence(d * 2.5, 7, 30);
-  for (const Crater& c : all) {
-    const double t = length(d - c.centre) / c.radius;
-    if (t >= 1.6) continue;
-    const double bowl = t < 1 ? (t * t - 1) : 0,
-                 rim = 0.45 * std::exp(-std::pow((t - 1) / 0.22, 2)) * (1 - ramp(1.3, 1.6, t));
-    h += c.depth * (bowl + rim);
+  const Vec3d sun = normalized(Vec3d{-0.8, 0.75, 0.9});
+  const double towards_sun = dot(d, sun);
+  light += Vec3d{6, 5.4, 4.4} * ramp(0.990, 0.998, towards_sun) +
+           Vec3d{0.9, 0.75, 0.5} * std::pow(std::max(0.0, towards_sun), 60);
+  struct Box {
+    Vec3d towards;
+    double half_width, half_height, brightness;
+  };
+  for (const Box& box : {Box{{1.0, 0.45, 0.5}, 0.16, 0.42, 2.5},
+                         {{-1.0, 0.35, -0.25}, 0.12, 0.40, 1.8},
+                         {{0.1, 0.8, -1.0}, 0.5, 0.10, 1.8}}) {
+    const Vec3d middle = normalized(box.towards), right = normalized(cross({0, 1, 0}, middle)),
+                up = cross(middle, right);
+    const double along = dot(d, middle);
+    if (along <= 0) continue;
+    const double x = std::abs(dot(d, right) / along) / box.half_width,
+                 y = std::abs(dot(d, up) / along) / box.half_height;
+    const double inside = (1 - ramp(0.94, 1.0, x)) * (1 - ramp(0.97, 1.0, y));
+    light = mix(light, Vec3d{1, 0.98, 0.95} * box.brightness, inside);
   }
-  return 1 + h;
+  return light;
 }
 
 Image make_stones(int n) {
@@ -88,27 +100,23 @@ Image make_stones(int n) {
   return image;
 }
 
-// Latitude and longitude as the renderer lays a map on its sphere: v up, u = ½ facing +z and growing towards +x.
-Image make_planet_normals(int w, int h) {
-  const std::vector<Crater> all = craters();
+// Latitude by longitude, as the renderer takes an environment: the middle lies towards −z, the right half towards +x.
+Image make_panorama(int w, int h) {
   Image image(w, h, 3);
-  const auto direction = [](double u, double v) {
-    const double longitude = 2 * kPi * (u - 0.5), latitude = kPi * (v - 0.5);
-    return Vec3d{std::cos(latitude) * std::sin(longitude), std::sin(latitude),
-                 std::cos(latitude) * std::cos(longitude)};
-  };
   parallel_for(h, [&](std::size_t y) {
     for (int x = 0; x < w; x++) {
-      const Vec3d d = direction((x + 0.5) / w, 1 - (double(y) + 0.5) / h);
-      // Slopes along two tangents, so that the poles are like any other place.
-      const Vec3d t = normalized(std::abs(d.y) < 0.9 ? cross(Vec3d{0, 1, 0}, d) : cross(Vec3d{1, 0, 0}, d)),
-                  b = cross(d, t);
-      const double step = kPi / h;
-      const auto point = [&](Vec3d q) { return normalized(q) * planet(normalized(q), all); };
-      const Vec3d n =
-          normalized(cross(point(d + t * step) - point(d - t * step), point(d + b * step) - point(d - b * step)));
+      constexpr int kSamples = 3;  // a side
+      Vec3d sum;
+      for (int k = 0; k < kSamples * kSamples; k++) {
+        const double u = (x + (k % kSamples + 0.5) / kSamples) / w,
+                     v = 1 - (double(y) + (k / kSamples + 0.5) / kSamples) / h;
+        const double longitude = 2 * kPi * (u - 0.5), latitude = kPi * (v - 0.5);
+        sum += surroundings(
+            {std::cos(latitude) * std::sin(longitude), std::sin(latitude), -std::cos(latitude) * std::cos(longitude)});
+      }
+      const Vec3f mean(sum / double(kSamples * kSamples));
       float* out = image.at(x, int(y));
-      out[0] = float(0.5 * n.x + 0.5), out[1] = float(0.5 * n.y + 0.5), out[2] = float(0.5 * n.z + 0.5);
+      out[0] = mean.x, out[1] = mean.y, out[2] = mean.z;
     }
   });
   return image;
@@ -125,7 +133,7 @@ int main(int argc, char** argv) {
   try {
     const std::string directory = argv[1];
     write_image(directory + "/stones.png", FileType::kPng, SampleType::kUint16, make_stones(side));
-    write_image(directory + "/planet_n.png", FileType::kPng, SampleType::kUint16, make_planet_normals(1024, 512));
+    write_image(directory + "/panorama.exr", FileType::kExr, SampleType::kHalf, make_panorama(1024, 512));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "make-samples: error: %s\n", error.what());
     return 2;
