@@ -31,7 +31,7 @@ void parse_size(const std::string& text, TransferOptions& options) {
 
 std::string percent(std::size_t part, std::size_t whole) {
   char text[16];
-  std::snprintf(text, sizeof text, "%.2g %%", 100.0 * double(part) / double(whole));
+  std::snprintf(text, sizeof text, "%.3g %%", 100.0 * double(part) / double(whole));
   return text;
 }
 

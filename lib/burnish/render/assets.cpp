@@ -42,8 +42,8 @@ Image read_base_colour(const BaseColour& base) {
   for (std::size_t i = 0; i < out.texels(); i++)
     for (int c = 0; c < 3; c++) {
       const float s = stored.data[i * stored.channels + (stored.channels >= 3 ? c : 0)];
-      if (!std::isfinite(s))
-        throw file_error(ErrorKind::kMalformed, base.map, "expected finite colours, got NaN or infinity");
+      if (!(s >= 0 && std::isfinite(s)))
+        throw file_error(ErrorKind::kMalformed, base.map, "expected colours of at least 0, got " + std::to_string(s));
       out.data[i * 3 + c] = srgb ? float(linear_from_srgb(s)) : s;
     }
   return out;

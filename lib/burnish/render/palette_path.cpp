@@ -17,7 +17,9 @@ void require_shadable(const Scene& scene, const Object& object, const ObjectAsse
         ErrorKind::kMalformed, object.indexed_map,
         std::string("a tangent-space palette can be shaded on a flat surface only, where its frame is the same "
                     "everywhere; a ") +
-            name(object.surface.type) + " needs normals in object space");
+            name(object.surface.type) +
+            " needs normals in object space (burnish-quantize --space object, or 'normal_space' where they are "
+            "already)");
   if (object.mip != MipMode::kOff && assets.indexed->levels.size() == 1 && assets.indexed->levels[0].texels() > 1)
     throw file_error(ErrorKind::kMalformed, object.indexed_map,
                      "expected a chain of mip levels, as 'mip' asks for, got one level");

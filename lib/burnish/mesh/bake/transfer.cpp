@@ -23,7 +23,8 @@ void require_range(const std::string& what, int value, int least, int most) {
 }
 
 double checked_distance(const std::string& what, double value) {
-  if (!(value >= 0 && std::isfinite(value))) throw Error(ErrorKind::kUsage, what + ": expected a positive number");
+  if (!(value >= 0 && std::isfinite(value)))
+    throw Error(ErrorKind::kUsage, what + ": expected a number of at least 0, got " + std::to_string(value));
   return value;
 }
 
@@ -150,6 +151,10 @@ TransferMaps transfer_detail(Mesh coarse, Mesh detailed, const TransferOptions& 
   require_range("padding", options.padding, 0, kMostPadding);
   const int most = UvRaster::kMostTexels / options.samples;
   require_range("size", options.width, 1, most), require_range("size", options.height, 1, most);
+  constexpr std::int64_t kMostInAll = std::int64_t(1) << 30;
+  if (std::int64_t(options.width) * options.height > kMostInAll)
+    throw Error(ErrorKind::kUsage, "size: expected at most 2^30 texels in all (32768x32768), got " +
+                                       std::to_string(options.width) + "x" + std::to_string(options.height));
   require_uvs(coarse, "which place the detail in a map (burnish-simplify --atlas makes some)");
   require_atlas(coarse);
   add_smooth_normals(coarse), add_smooth_normals(detailed);
