@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <tuple>
 
 #include "burnish/core/parallel.h"
-#include "burnish/palette/octahedral.h"
+#include "burnish/palette/normal_bins.h"
 
 namespace burnish {
 namespace {
 
 constexpr std::size_t kMostDistinct = std::size_t(1) << 21;
-constexpr std::size_t kMostBins = std::size_t(1) << 20;
 constexpr int kLanes = 8;  // tables filled side by side; their number is fixed, the threads take them as they come
 constexpr int kBandRows = 128;
 
@@ -146,66 +144,8 @@ class ExactCounts {
   std::vector<Counted> counted_;
 };
 
-// Bins of normals with integer sums, made coarser whenever they are too many.
-class Bins {
- public:
-  void add(int material, bool counts, Vec3f n) {
-    const Vec3d v(n);
-    add(std::uint64_t(material) << 40 | std::uint64_t(counts) << 32 | pack_octahedral(v, kBits),
-        {std::llround(v.x * kUnit), std::llround(v.y * kUnit), std::llround(v.z * kUnit), 1});
-  }
-  void add(const Bins& other) {
-    while (shift_ < other.shift_) coarsen();
-    place_.reserve(other.place_.size());
-    other.place_.for_each([&](std::uint64_t key, std::uint32_t place) { add(key, other.sums_[place - 1]); });
-  }
-  // body(material, counts, mean normal, texels), in ascending order of material.
-  template <typename Body>
-  void for_each_sorted(const Body& body) const {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted;
-    place_.for_each([&](std::uint64_t key, std::uint32_t place) { sorted.emplace_back(key, place); });
-    std::ranges::sort(sorted);
-    for (const auto& [key, place] : sorted) {
-      const Sum& s = sums_[place - 1];
-      const Vec3d v{double(s.x), double(s.y), double(s.z)};
-      body(int(key >> 40), (key >> 32 & 1) != 0, length(v) > 0 ? Vec3f(normalized(v)) : Vec3f{0, 0, 1}, s.texels);
-    }
-  }
-
- private:
-  static constexpr int kBits = 16;
-  static constexpr double kUnit = 1 << 26;
-  struct Sum {
-    std::int64_t x, y, z;
-    std::uint64_t texels;
-  };
-
-  void add(std::uint64_t key, const Sum& s) {
-    const std::uint64_t low = 0xffffu >> shift_ << shift_;
-    std::uint32_t& place = place_[key & (~std::uint64_t(0xffffffffu) | low << 16 | low)];
-    if (place == 0) {  // new
-      sums_.push_back({});
-      place = std::uint32_t(sums_.size());
-    }
-    Sum& t = sums_[place - 1];
-    t.x += s.x, t.y += s.y, t.z += s.z, t.texels += s.texels;
-    if (sums_.size() > kMostBins) coarsen();
-  }
-  void coarsen() {
-    Bins next;
-    next.shift_ = shift_ + 1;
-    next.place_.reserve(place_.size());
-    place_.for_each([&](std::uint64_t key, std::uint32_t place) { next.add(key, sums_[place - 1]); });
-    *this = std::move(next);
-  }
-
-  int shift_ = 0;
-  KeyTable place_;  // position in sums_ plus one
-  std::vector<Sum> sums_;
-};
-
-void add_to_bins(OpenMap& map, const Progress& progress, Bins& bins, Histogram::Texels& texels) {
-  std::array<Bins, kLanes> lanes;
+void add_to_bins(OpenMap& map, const Progress& progress, NormalBins& bins, Histogram::Texels& texels) {
+  std::array<NormalBins, kLanes> lanes;
   std::array<Histogram::Texels, kLanes> of_lane{};
   for_each_row(map.texels, progress, [&](std::size_t lane, const std::uint64_t* keys, int y) {
     for (int x = 0; x < map.texels.width(); x++) {
@@ -218,7 +158,7 @@ void add_to_bins(OpenMap& map, const Progress& progress, Bins& bins, Histogram::
     }
     return true;
   });
-  for (const Bins& lane : lanes) bins.add(lane);
+  for (const NormalBins& lane : lanes) bins.add(lane);
   for (const Histogram::Texels& t : of_lane) texels.counted += t.counted, texels.invalid += t.invalid;
 }
 
@@ -236,7 +176,7 @@ bool count_exactly(MapSet& maps, const Progress& progress, Histogram& out) {
 }
 
 void count_in_bins(MapSet& maps, const Progress& progress, Histogram& out) {
-  Bins bins;
+  NormalBins bins;
   for (std::size_t i = 0; i < maps.size(); i++)
     add_to_bins(maps.open(i), part_of_map(progress, i, maps), bins, out.maps[i]);
   std::vector<Histogram::Key> keys;
