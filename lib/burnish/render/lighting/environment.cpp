@@ -13,9 +13,10 @@ std::shared_ptr<const Panorama> Panorama::read(const FileRef& file) {
   Image image = read_image(file);
   if (image.channels == 2)
     throw file_error(ErrorKind::kMalformed, file.name, "expected a panorama of 1, 3 or 4 channels, got 2");
-  const auto bad = std::ranges::find_if(image.data, [](float x) { return !(x >= 0 && std::isfinite(x)); });
+  // Below 0 there may be rings that a resampling filter left: they are taken as they are.
+  const auto bad = std::ranges::find_if(image.data, [](float x) { return !std::isfinite(x); });
   if (bad != image.data.end())
-    throw file_error(ErrorKind::kMalformed, file.name, "expected light of at least 0, got " + std::to_string(*bad));
+    throw file_error(ErrorKind::kMalformed, file.name, "expected finite light, got " + std::to_string(*bad));
   return std::make_shared<const Panorama>(std::move(image));
 }
 

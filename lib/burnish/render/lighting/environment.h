@@ -14,7 +14,7 @@ namespace burnish {
 
 class Panorama {
  public:
-  // kMalformed unless the file has one, or three or more channels, of finite values of at least 0.
+  // kMalformed unless the file has one, or three or more channels, of finite values.
   static std::shared_ptr<const Panorama> read(const FileRef& file);
   explicit Panorama(Image image) : image_(std::move(image)) {}
 
