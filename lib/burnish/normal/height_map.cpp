@@ -47,7 +47,7 @@ class BandSource {
     }
     const std::size_t row_bytes = std::size_t(width()) * 4;
     // Multiples of 64 rows end where strips and tiles of the usual sizes end.
-    band_rows_ = int(std::clamp<std::size_t>((4 << 20) / row_bytes / 64 * 64, 64, 4096));
+    band_rows_ = int(std::clamp<std::size_t>((2 << 20) / row_bytes / 64 * 64, 64, 4096));
     const bool whole_in_window = height() <= band_rows_ + radius_;
     if (options.wrap_v == Wrap::kRepeat && !whole_in_window) {  // the first band needs the last rows
       ImageReader again(file);
