@@ -181,7 +181,8 @@ void add_options(CLI::App& app, Options& o) {
           ->type_name("DEG")
           ->excludes(count);
   const auto add_files = [&](const std::string& flag, Paths& files, const std::string& help) {
-    app.add_option(flag, files, help + ". Of several maps: given once for all, or repeated for each; {stem} is a map's stem")
+    app.add_option(flag, files,
+                   help + ". Of several maps: given once for all, or repeated for each; {stem} is a map's stem")
         ->type_name("FILE")
         ->allow_extra_args(false)  // what follows is a map
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "burnish/core/parallel.h"
-#include "burnish/palette/colour_codebook.h"
-#include "burnish/palette/median_cut.h"
+#include "burnish/palette/fit/colour_codebook.h"
+#include "burnish/palette/fit/median_cut.h"
 #include "palette_fixture.h"
 
 namespace burnish {

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "burnish/palette/cube_image.h"
+#include "burnish/palette/files/cube_image.h"
 #include "expect_error.h"
 #include "palette_fixture.h"
 #include "scratch_dir.h"

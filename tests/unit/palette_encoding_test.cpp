@@ -1,8 +1,8 @@
 // Materials and normals quantized together, in the cube of their colours.
 #include <gtest/gtest.h>
 
-#include "burnish/palette/cube_image.h"
-#include "burnish/palette/imagequant_engine.h"
+#include "burnish/palette/files/cube_image.h"
+#include "burnish/palette/fit/imagequant_engine.h"
 #include "burnish/palette/quantize.h"
 #include "expect_error.h"
 #include "palette_fixture.h"

@@ -12,8 +12,8 @@
 #include "burnish/core/image_io.h"
 #include "burnish/core/mip.h"
 #include "burnish/core/vec3.h"
+#include "burnish/palette/fit/point_tree.h"
 #include "burnish/palette/indexed_map.h"
-#include "burnish/palette/point_tree.h"
 
 namespace burnish::testing {
 

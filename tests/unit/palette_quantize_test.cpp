@@ -3,7 +3,7 @@
 #include <set>
 
 #include "burnish/core/parallel.h"
-#include "burnish/palette/imagequant_engine.h"
+#include "burnish/palette/fit/imagequant_engine.h"
 #include "burnish/palette/quantize.h"
 #include "expect_error.h"
 #include "palette_fixture.h"

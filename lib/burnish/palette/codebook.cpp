@@ -5,8 +5,8 @@
 #include <queue>
 
 #include "burnish/core/error.h"
-#include "burnish/palette/lloyd.h"
-#include "burnish/palette/relocation.h"
+#include "burnish/palette/fit/lloyd.h"
+#include "burnish/palette/fit/relocation.h"
 
 namespace burnish {
 namespace {

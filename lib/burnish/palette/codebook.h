@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "burnish/core/progress.h"
-#include "burnish/palette/point_tree.h"
+#include "burnish/palette/fit/point_tree.h"
 
 namespace burnish {
 

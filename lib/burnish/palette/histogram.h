@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "burnish/core/progress.h"
+#include "burnish/palette/fit/point_tree.h"
 #include "burnish/palette/key_table.h"
 #include "burnish/palette/map_set.h"
-#include "burnish/palette/point_tree.h"
 
 namespace burnish {
 

@@ -8,7 +8,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/mip.h"
-#include "burnish/palette/indexed_files.h"
+#include "burnish/palette/files/indexed_files.h"
 
 namespace burnish {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "burnish/core/error.h"
-#include "burnish/palette/cube_fit.h"
-#include "burnish/palette/cube_image.h"
-#include "burnish/palette/fit_palette.h"
+#include "burnish/palette/files/cube_image.h"
+#include "burnish/palette/fit/cube_fit.h"
+#include "burnish/palette/fit/fit_palette.h"
+#include "burnish/palette/fit/imagequant_engine.h"
 #include "burnish/palette/histogram.h"
-#include "burnish/palette/imagequant_engine.h"
 #include "burnish/palette/mapper.h"
 
 namespace burnish {

@@ -1,4 +1,4 @@
-#include "burnish/palette/lloyd.h"
+#include "burnish/palette/fit/lloyd.h"
 
 #include <cmath>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "burnish/palette/imagequant_engine.h"
+#include "burnish/palette/fit/imagequant_engine.h"
 
 #include <algorithm>
 #include <cmath>

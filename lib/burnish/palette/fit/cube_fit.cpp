@@ -1,10 +1,10 @@
-#include "burnish/palette/cube_fit.h"
+#include "burnish/palette/fit/cube_fit.h"
 
 #include <algorithm>
 
-#include "burnish/palette/colour_codebook.h"
-#include "burnish/palette/imagequant_engine.h"
-#include "burnish/palette/median_cut.h"
+#include "burnish/palette/fit/colour_codebook.h"
+#include "burnish/palette/fit/imagequant_engine.h"
+#include "burnish/palette/fit/median_cut.h"
 
 namespace burnish {
 namespace {

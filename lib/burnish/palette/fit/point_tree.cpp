@@ -1,4 +1,4 @@
-#include "burnish/palette/point_tree.h"
+#include "burnish/palette/fit/point_tree.h"
 
 #include <algorithm>
 #include <atomic>

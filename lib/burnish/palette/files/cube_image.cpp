@@ -1,4 +1,4 @@
-#include "burnish/palette/cube_image.h"
+#include "burnish/palette/files/cube_image.h"
 
 #include <algorithm>
 #include <cstdint>

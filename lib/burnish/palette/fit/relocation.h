@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "burnish/palette/lloyd.h"
+#include "burnish/palette/fit/lloyd.h"
 
 namespace burnish {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "burnish/palette/engine.h"
+#include "burnish/palette/fit/point_tree.h"
 #include "burnish/palette/material_cube.h"
-#include "burnish/palette/point_tree.h"
 
 namespace burnish {
 

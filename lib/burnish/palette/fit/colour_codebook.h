@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "burnish/palette/weighted_colour.h"
+#include "burnish/palette/fit/weighted_colour.h"
 
 namespace burnish {
 

@@ -8,7 +8,7 @@
 
 #include "burnish/core/checked_file.h"
 #include "burnish/core/error.h"
-#include "burnish/palette/indexed_files.h"
+#include "burnish/palette/files/indexed_files.h"
 
 namespace burnish::detail {
 namespace {

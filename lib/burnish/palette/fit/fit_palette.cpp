@@ -1,4 +1,4 @@
-#include "burnish/palette/fit_palette.h"
+#include "burnish/palette/fit/fit_palette.h"
 
 #include <algorithm>
 #include <string>
@@ -6,10 +6,10 @@
 
 #include "burnish/core/error.h"
 #include "burnish/palette/codebook.h"
-#include "burnish/palette/cube_fit.h"
-#include "burnish/palette/imagequant_engine.h"
+#include "burnish/palette/fit/cube_fit.h"
+#include "burnish/palette/fit/imagequant_engine.h"
+#include "burnish/palette/fit/median_cut.h"
 #include "burnish/palette/mapper.h"
-#include "burnish/palette/median_cut.h"
 #include "burnish/palette/palette_order.h"
 
 namespace burnish {

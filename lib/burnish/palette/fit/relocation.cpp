@@ -1,4 +1,4 @@
-#include "burnish/palette/relocation.h"
+#include "burnish/palette/fit/relocation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "burnish/palette/colour_codebook.h"
+#include "burnish/palette/fit/colour_codebook.h"
 
 #include <algorithm>
 #include <limits>

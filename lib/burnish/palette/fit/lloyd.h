@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "burnish/palette/centre_tree.h"
-#include "burnish/palette/point_tree.h"
+#include "burnish/palette/fit/centre_tree.h"
+#include "burnish/palette/fit/point_tree.h"
 
 namespace burnish {
 

@@ -1,4 +1,4 @@
-#include "burnish/palette/texture_format_names.h"
+#include "burnish/palette/files/texture_format_names.h"
 
 #include <algorithm>
 #include <initializer_list>

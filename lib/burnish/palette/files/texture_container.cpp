@@ -1,4 +1,4 @@
-#include "burnish/palette/texture_container.h"
+#include "burnish/palette/files/texture_container.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "burnish/palette/median_cut.h"
+#include "burnish/palette/fit/median_cut.h"
 
 #include <algorithm>
 #include <queue>

@@ -6,9 +6,9 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/mip.h"
-#include "burnish/palette/indexed_files.h"
-#include "burnish/palette/texture_container.h"
-#include "burnish/palette/texture_format_names.h"
+#include "burnish/palette/files/indexed_files.h"
+#include "burnish/palette/files/texture_container.h"
+#include "burnish/palette/files/texture_format_names.h"
 
 namespace burnish::detail {
 namespace {
