@@ -13,38 +13,11 @@
 #include <utility>
 #include <vector>
 
+#include "burnish/core/file_ref.h"
+#include "burnish/core/file_type.h"
 #include "burnish/core/image.h"
 
 namespace burnish {
-
-enum class SampleType { kUint8, kUint16, kHalf, kFloat };
-// The last two hold indexed normal maps only (palette/indexed_map.h): what reads and writes images here refuses them.
-enum class FileType { kPng, kTga, kBmp, kTiff, kExr, kKtx2, kDds };
-
-// "uint8", "uint16", "half", "float"
-const char* name(SampleType type);
-// "PNG", "TGA", …
-const char* name(FileType type);
-
-// From the extension; kUnsupported where it names no type that is written here.
-FileType file_type_of(const std::string& name);
-// PNG, TGA, BMP: uint8; TIFF: uint16; EXR: half.
-SampleType default_sample_type(FileType type);
-// kUnsupported where the file type cannot hold the samples.
-void require_can_hold(FileType type, SampleType sample, const std::string& name);
-
-// A file as it is opened, and as people know it (kStandardInput and kStandardOutput too).
-struct FileRef {
-  std::string path, name;
-  FileRef() = default;
-  FileRef(std::string p) : path(p), name(std::move(p)) {}
-  FileRef(const char* p) : path(p), name(p) {}
-  FileRef(std::string p, std::string n) : path(std::move(p)), name(std::move(n)) {}
-  bool empty() const { return path.empty(); }
-};
-
-// kIo, with the reason, where the file is missing, a directory or not to be read.
-void require_readable(const FileRef& file);
 
 class ImageReader {
  public:
@@ -59,8 +32,11 @@ class ImageReader {
   SampleType sample_type() const;  // nearest of the four; other integers count as uint16
   const std::vector<std::string>& channel_names() const;
   const std::string& name() const;  // for messages
-  std::size_t file_bytes() const;   // of the pixels, uncompressed, as stored
-  bool has_exact_samples() const;   // the file stores exactly sample_type()
+  // What the file says beside its pixels under a name such as "burnish:space" or "ImageDescription"; empty where it
+  // says nothing, or no text.
+  std::string text(const std::string& attribute) const;
+  std::size_t file_bytes() const;  // of the pixels, uncompressed, as stored
+  bool has_exact_samples() const;  // the file stores exactly sample_type()
 
   // Rows [first, first + count) of all channels, interleaved, as float. Rows may be read in any order; ascending is
   // fast.
