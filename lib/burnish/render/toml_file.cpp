@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -108,6 +109,13 @@ std::string TomlTable::text(const std::string& key, std::optional<std::string> f
   if (!node) fail(key, "expected a string, got nothing");
   if (!node->is_string()) fail(key, "expected a string, got " + shown(*node));
   return node->as_string()->get();
+}
+
+std::string TomlTable::file(const std::string& key, const std::string& directory) const {
+  if (!has(key)) return {};
+  const std::string path = text(key);
+  if (path.empty()) fail(key, "expected a file name, got ''");
+  return (std::filesystem::path(directory) / path).string();
 }
 
 std::vector<double> TomlTable::numbers(const std::string& key, std::size_t count, const NumberRange& range) const {

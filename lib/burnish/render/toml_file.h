@@ -41,6 +41,8 @@ class TomlTable {
   double number(const std::string& key, const NumberRange& range, std::optional<double> fallback = {}) const;
   int integer(const std::string& key, int least, int most, std::optional<int> fallback = {}) const;
   std::string text(const std::string& key, std::optional<std::string> fallback = {}) const;
+  // The name of a file, relative to a directory; empty where the key is absent.
+  std::string file(const std::string& key, const std::string& directory) const;
   // An array of exactly three, or of `count`, numbers.
   Vec3d vector(const std::string& key, const NumberRange& range, std::optional<Vec3d> fallback = {}) const;
   std::vector<double> numbers(const std::string& key, std::size_t count, const NumberRange& range) const;

@@ -1,0 +1,93 @@
+#include "burnish/render/scene_objects.h"
+
+namespace burnish {
+namespace {
+
+Surface surface(const TomlTable& t) {
+  Surface s;
+  s.type = t.choice<SurfaceType>(
+      "surface", {{"quad", SurfaceType::kQuad}, {"sphere", SurfaceType::kSphere}, {"mesh", SurfaceType::kMesh}},
+      s.type);
+  if (s.type == SurfaceType::kMesh) return s;
+  if (s.type == SurfaceType::kSphere) {
+    s.radius = t.number("radius", kPositive, s.radius);
+    return s;
+  }
+  if (t.has("size")) {
+    const std::vector<double> size = t.numbers("size", 2, kPositive);
+    s.size_x = size[0], s.size_y = size[1];
+  }
+  if (t.has("repeat")) {
+    const std::vector<double> repeat = t.numbers("repeat", 2, kPositive);
+    s.repeat_u = repeat[0], s.repeat_v = repeat[1];
+  }
+  return s;
+}
+
+// One number for all axes, or one each.
+Vec3d scale(const TomlTable& t) {
+  if (t.has_array("scale")) return t.vector("scale", kPositive);
+  const double s = t.number("scale", kPositive, 1.0);
+  return {s, s, s};
+}
+
+BaseColour base_colour(const TomlTable& t, const std::string& directory) {
+  BaseColour base;
+  const bool given = t.has("base_color") || t.has("base_color_map");
+  base.colour = t.vector("base_color", kNotNegative, base.colour);
+  base.map = t.file("base_color_map", directory);
+  if (!base.map.empty() && t.has("base_color_transfer"))
+    base.srgb = t.choice<bool>("base_color_transfer", {{"srgb", true}, {"linear", false}});
+  base.blend = t.choice<Blend>(
+      "blend", {{"exact", Blend::kExact}, {"approximate", Blend::kApproximate}, {"material", Blend::kMaterial}},
+      given ? Blend::kExact : Blend::kMaterial);
+  if (given && base.blend == Blend::kMaterial)
+    t.fail("blend", "expected exact or approximate, since material takes no base colour, got 'material'");
+  return base;
+}
+
+}  // namespace
+
+Object parse_object(const TomlTable& t, const std::string& directory) {
+  Object o;
+  o.surface = surface(t);
+  o.transform.translation = t.vector("translate", kAnyNumber, Vec3d{});
+  const Vec3d turn_deg = t.vector("rotate_deg", kAnyNumber, Vec3d{});
+  o.transform.rotation = rotation_xyz({radians(turn_deg.x), radians(turn_deg.y), radians(turn_deg.z)});
+  o.transform.scale = scale(t);
+  if (o.surface.type == SurfaceType::kMesh) {
+    o.mesh = t.file("mesh", directory);
+    if (o.mesh.empty()) t.fail("mesh", "expected the mesh's file name, got nothing");
+    o.shading =
+        t.choice<MeshShading>("shading", {{"smooth", MeshShading::kSmooth}, {"flat", MeshShading::kFlat}}, o.shading);
+  }
+  o.normal_map = t.file("normal_map", directory);
+  o.indexed_map = t.file("indexed_map", directory);
+  if (!o.indexed_map.empty()) o.palette = t.file("palette", directory);
+  if (o.indexed_map.ends_with(".dds") && o.palette.empty())
+    t.fail("palette", "expected the file of the palette, which a DDS does not hold, got nothing");
+  o.base = base_colour(t, directory);
+  if (t.has("normal_space"))
+    o.normal_space =
+        t.choice<NormalSpace>("normal_space", {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}});
+  o.coding.green = t.choice<GreenAxis>("y", {{"up", GreenAxis::kUp}, {"down", GreenAxis::kDown}}, o.coding.green);
+  if (!o.normal_map.empty()) {
+    if (t.has("encoding"))
+      o.coding.encoding = t.choice<NormalEncoding>(
+          "encoding", {{"biased", NormalEncoding::kBiased}, {"signed", NormalEncoding::kSigned}});
+    o.coding.channels = t.text("channels", "");
+    const auto& letters = o.coding.channels;
+    if (t.has("channels") && ((letters.size() != 2 && letters.size() != 3) ||
+                              letters.find_first_not_of("xyzwrgbaXYZWRGBA") != std::string::npos))
+      t.fail("channels", "expected two or three letters of x y z w or r g b a, got '" + letters + "'");
+  }
+  if (!o.indexed_map.empty()) {
+    o.filter = t.choice<Filter>("filter", {{"nearest", Filter::kNearest}, {"bilinear", Filter::kBilinear}}, o.filter);
+    o.mip = t.choice<MipMode>(
+        "mip", {{"off", MipMode::kOff}, {"nearest", MipMode::kNearest}, {"linear", MipMode::kLinear}}, o.mip);
+  }
+  t.refuse_unknown();
+  return o;
+}
+
+}  // namespace burnish
