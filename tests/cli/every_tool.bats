@@ -118,6 +118,22 @@ teardown() {
   refuses 3 "standard input" burnish-normals - -o x.png </dev/null
 }
 
+@test "what a codec says of a damaged file is said once, and of no temporary" {
+  make_image noise 64 64 good.png
+  make_image noise 64 64 good.exr
+  head -c 2000 good.png >cut.png
+  refuses 3 "'cut.png': Read error: hit end of file" burnish-normals cut.png -o x.png
+  [ "$(grep -o 'end of file' err | wc -l)" -eq 1 ] || { cat err; return 1; }
+  head -c 2000 good.exr >cut.exr
+  refuses 3 'standard input: ' burnish-normals - -o x.png <cut.exr
+  if grep burnish-tmp err; then return 1; fi
+  burnish-normals good.exr -o n.exr
+  burnish-quantize n.exr -o q.exr
+  head -c 1000 q.exr >cut.exr
+  refuses 3 'standard input: ' burnish-mipmap - -o x.exr <cut.exr
+  if grep burnish-tmp err; then return 1; fi
+}
+
 @test "outputs that cannot be written: exit 2, before any work" {
   make_image bumps 8 8 h.png
   mkdir dir.png

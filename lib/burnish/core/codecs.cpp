@@ -1,8 +1,5 @@
 #include "burnish/core/codecs.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "burnish/core/image_io.h"
 
 namespace burnish {
@@ -36,12 +33,6 @@ const char* codec_of(FileType type) {
     default:
       return "";
   }
-}
-
-std::string one_line(std::string text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
-  std::ranges::replace(text, '\n', ' ');
-  return text;
 }
 
 }  // namespace detail

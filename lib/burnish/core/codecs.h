@@ -3,8 +3,6 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include <string>
-
 #include "burnish/core/file_type.h"
 
 namespace burnish::detail {
@@ -12,7 +10,5 @@ namespace burnish::detail {
 OIIO::TypeDesc to_oiio(SampleType type);
 // OpenImageIO's name of what writes a type; empty where nothing does.
 const char* codec_of(FileType type);
-// What a codec says, on one line.
-std::string one_line(std::string text);
 
 }  // namespace burnish::detail

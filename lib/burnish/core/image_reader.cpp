@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "burnish/core/codec_message.h"
 #include "burnish/core/codecs.h"
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
 
 namespace burnish {
 
-using detail::one_line;
 using detail::to_oiio;
 
 namespace {
@@ -54,7 +54,7 @@ struct ImageReader::Impl {
   OIIO::TypeDesc tiles_type;
 
   [[noreturn]] void fail() {
-    std::string what = one_line(in ? in->geterror() : OIIO::geterror());
+    const std::string what = codec_message(in ? in->geterror() : OIIO::geterror(), file);
     throw file_error(ErrorKind::kMalformed, file.name, what.empty() ? "is damaged or cut short" : what);
   }
 

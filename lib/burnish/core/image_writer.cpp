@@ -5,13 +5,13 @@
 #include <type_traits>
 
 #include "burnish/core/checked_file.h"
+#include "burnish/core/codec_message.h"
 #include "burnish/core/codecs.h"
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
 
 namespace burnish {
 
-using detail::one_line;
 using detail::to_oiio;
 
 namespace {
@@ -53,7 +53,7 @@ struct ImageWriter::Impl {
   int next = 0;
   std::vector<std::byte> converted;
 
-  [[noreturn]] void fail() { throw to->file.error(file.name, out ? one_line(out->geterror()) : ""); }
+  [[noreturn]] void fail() { throw to->file.error(file.name, out ? codec_message(out->geterror(), file) : ""); }
 
   void write(int count, const void* rows, OIIO::TypeDesc type) {
     if (!out->write_scanlines(next, next + count, 0, type, rows) || to->file.first_error()) fail();

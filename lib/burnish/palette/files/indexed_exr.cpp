@@ -17,6 +17,7 @@
 #include <algorithm>
 
 #include "burnish/core/checked_file.h"
+#include "burnish/core/codec_message.h"
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
 #include "burnish/palette/files/indexed_files.h"
@@ -28,7 +29,7 @@ constexpr const char* kChannel = "index";
 constexpr int kTile = 64;
 
 Error codec_error(const FileRef& file, const std::exception& error) {
-  return file_error(ErrorKind::kMalformed, file.name, error.what());
+  return file_error(ErrorKind::kMalformed, file.name, codec_message(error.what(), file));
 }
 
 // A CheckedFile as the library takes it; its own stream passes over a full disk when it closes.
@@ -68,7 +69,7 @@ void write_checked(const FileRef& file, const Body& body) {
     throw;
   } catch (const std::exception& error) {
     stream.close();  // says why, if it was the disk
-    throw file_error(ErrorKind::kIo, file.name, std::string("cannot be written: ") + error.what());
+    throw file_error(ErrorKind::kIo, file.name, "cannot be written: " + codec_message(error.what(), file));
   }
   stream.close();
 }
