@@ -145,7 +145,7 @@ int main(int argc, char** argv) {
     const HeightField field = read_height_field(height, options);
     DisplacedNormals map = displaced_normals(read_mesh(mesh_file), field, options, tool.progress());
     fill_gutter(gutter_sources(map.covered, mesh.padding), map.normals);
-    write_baked_normals(target, map.width, map.height, map.normals);
+    write_baked_normals(target, NormalSpace::kObject, map.width, map.height, map.normals);
     if (field.colour_channels_differ) warn_of_colours();
     if (map.overlapped_texels)
       tool.warn("'" + mesh.file + "': " + std::to_string(map.overlapped_texels) +

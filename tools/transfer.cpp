@@ -66,8 +66,9 @@ int main(int argc, char** argv) {
   app.add_option_function<std::string>(
          "--size", [&](const std::string& t) { parse_size(t, options); }, "Texels of the maps (default 1024x1024)")
       ->type_name("W[xH]");
-  add_choice<MapSpace>(app, "--space", options.space, {{"object", MapSpace::kObject}, {"tangent", MapSpace::kTangent}},
-                       "Space of the normals (default object; tangent: MikkTSpace frames of LOW)");
+  add_choice<NormalSpace>(app, "--space", options.space,
+                          {{"object", NormalSpace::kObject}, {"tangent", NormalSpace::kTangent}},
+                          "Space of the normals (default object; tangent: MikkTSpace frames of LOW)");
   app.add_option("--max-distance", options.max_distance,
                  "How far from LOW detail may lie, in its units (default 10 % of HIGH's diagonal)")
       ->type_name("D");
@@ -98,7 +99,7 @@ int main(int argc, char** argv) {
     require_encodable(coding, sample, target.file.name);
     displacement.reserve(tool), mask.reserve(tool);
     TransferMaps maps = transfer_detail(read_mesh(low_file), read_mesh(high_file), options, tool.progress());
-    write_baked_normals(target, maps.width, maps.height, maps.normals);
+    write_baked_normals(target, options.space, maps.width, maps.height, maps.normals);
     if (!displacement.path.empty())
       write_displacement(displacement.file, displacement.type, maps.displacement, maps.max_distance);
     if (!mask.path.empty()) {

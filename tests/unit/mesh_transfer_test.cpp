@@ -70,12 +70,12 @@ void each_centre(const Mesh& mesh, int width, int height, const F& f) {
 
 // The true normal at a place near the unit sphere is its direction from the centre.
 double rms_deg_from_sphere(const Mesh& coarse, const TransferOptions& options, const TransferMaps& maps) {
-  const TangentFrames frames = options.space == MapSpace::kTangent ? tangent_frames(coarse) : TangentFrames();
+  const TangentFrames frames = options.space == NormalSpace::kTangent ? tangent_frames(coarse) : TangentFrames();
   double sum = 0;
   std::size_t count = 0;
   each_centre(coarse, maps.width, maps.height, [&](const MeshPoint& place, int x, int y) {
     Vec3d n = object_normal(maps, x, y);
-    if (options.space == MapSpace::kTangent) n = frame_at(coarse, frames, place).to_object(n);
+    if (options.space == NormalSpace::kTangent) n = frame_at(coarse, frames, place).to_object(n);
     sum += std::pow(degrees(angle_rad(n, position_at(coarse, place))), 2), count++;
   });
   return std::sqrt(sum / double(count));
@@ -85,7 +85,7 @@ TEST(Transfer, ASphereInEitherSpaceAndAnyRays) {
   Mesh coarse = sphere(10, 10);  // 180 triangles
   add_smooth_normals(coarse);
   const Mesh fine = without_uvs(sphere(100, 100));
-  for (const MapSpace space : {MapSpace::kObject, MapSpace::kTangent})
+  for (const NormalSpace space : {NormalSpace::kObject, NormalSpace::kTangent})
     for (const RayDirection rays : {RayDirection::kSmooth, RayDirection::kHalfway})
       for (const int samples : {1, 3}) {
         TransferOptions options = at_size(128, 64);

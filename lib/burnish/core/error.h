@@ -5,6 +5,8 @@
 // Callers above the library turn the kind into an exit code; nothing in the library knows of those.
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <stdexcept>
 #include <string>
 
@@ -36,6 +38,14 @@ inline const std::string kStandardOutput = "standard output";
 inline Error file_error(ErrorKind kind, const std::string& name, const std::string& message) {
   const bool stream = name == kStandardInput || name == kStandardOutput;
   return Error(kind, (stream ? name : "'" + name + "'") + ": " + message);
+}
+
+// Text of a file as a message shows it: the start, without control characters.
+inline std::string excerpt(std::string text) {
+  text.resize(std::min<std::size_t>(text.size(), 32));
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c); }, '?');
+  return text;
 }
 
 }  // namespace burnish

@@ -10,6 +10,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/normal/height_texels.h"
+#include "burnish/normal/normal_space.h"
 
 namespace burnish {
 namespace {
@@ -343,7 +344,8 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
   stats.width = source.width();
   stats.height = source.height();
   const BandFitter fitter(neighborhood, options, stats.width, stats.height, target);
-  ImageWriter writer(target.file, target.type, target.sample, stats.width, stats.height, 3);
+  ImageWriter writer(target.file, target.type, target.sample, stats.width, stats.height, 3,
+                     space_attributes(target.type, NormalSpace::kTangent));
 
   double tilt_sum = 0, steepest = 0;
   std::size_t taking_part = 0;

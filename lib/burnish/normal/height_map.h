@@ -47,8 +47,9 @@ struct NormalMapTarget {
   NormalCoding coding;  // channels are not used
 };
 
-// kMalformed for NaN or infinity where the mask does not exclude it, for slopes beyond floating point, for a mask of
-// another size and for a channel the file does not have; kUsage for sizes and heights out of range.
+// Writes normals in tangent space. kMalformed for NaN or infinity where the mask does not exclude it, for slopes beyond
+// floating point, for a mask of another size and for a channel the file does not have; kUsage for sizes and heights out
+// of range.
 HeightMapStats convert_height_map(const FileRef& height, const HeightMapOptions& options, const NormalMapTarget& target,
                                   const Progress& progress = {});
 

@@ -1,7 +1,6 @@
 #include "burnish/palette/indexed_map.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -38,8 +37,6 @@ std::optional<IndexedMap> read_any(const FileRef& file, Signature s, GreenAxis g
 }
 
 }  // namespace
-
-const char* name(NormalSpace space) { return space == NormalSpace::kTangent ? "tangent" : "object"; }
 
 int Palette::interval_of(int index) const {
   const auto after = std::upper_bound(materials.begin(), materials.end(), index,
@@ -160,20 +157,6 @@ std::vector<MaterialInterval> materials_from_json(const std::string& text, const
     throw refuse();
   }
   return out;
-}
-
-std::string excerpt(std::string text) {
-  text.resize(std::min<std::size_t>(text.size(), 32));
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return std::iscntrl(c); }, '?');
-  return text;
-}
-
-NormalSpace space_from_name(const std::string& text, const std::string& file_name) {
-  if (text == "tangent") return NormalSpace::kTangent;
-  if (text == "object") return NormalSpace::kObject;
-  throw file_error(ErrorKind::kMalformed, file_name,
-                   "expected burnish:space tangent or object, got '" + excerpt(text) + "'");
 }
 
 void require_room_for(const FileRef& file, std::int64_t width, std::int64_t height, std::int64_t bits) {

@@ -12,13 +12,11 @@
 #include "burnish/core/image_io.h"
 #include "burnish/core/vec3.h"
 #include "burnish/normal/coding.h"
+#include "burnish/normal/normal_space.h"
 
 namespace burnish {
 
 constexpr int kMaxPaletteSize = 65536;
-
-enum class NormalSpace { kTangent, kObject };
-const char* name(NormalSpace space);  // "tangent", "object"
 
 struct MaterialInterval {
   int id = 0;  // 0 … 255

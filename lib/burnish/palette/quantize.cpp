@@ -39,8 +39,32 @@ std::optional<Palette> read_given(const QuantizeOptions& o) {
   return given;
 }
 
-Palette make_palette(const QuantizeOptions& o, const Histogram& histogram, const Progress& progress) {
-  const FitOptions fit{o.engine, o.encoding, o.space.value_or(NormalSpace::kTangent)};
+// What the maps say, who must not contradict each other.
+NormalSpace recorded_space_of_all(const std::vector<MapFiles>& files, const std::vector<QuantizedMapStats>& maps) {
+  std::optional<std::size_t> first;
+  for (std::size_t i = 0; i < maps.size(); i++) {
+    if (!maps[i].recorded_space) continue;
+    if (!first) first = i;
+    const NormalSpace expected = *maps[*first].recorded_space, got = *maps[i].recorded_space;
+    if (got != expected)
+      throw file_error(ErrorKind::kMalformed, files[i].normals.name,
+                       std::string("expected normals in ") + name(expected) + " space, as in '" +
+                           files[*first].normals.name + "', got " + name(got) + " space");
+  }
+  return first ? *maps[*first].recorded_space : NormalSpace::kTangent;
+}
+
+void require_counting_texels(const MapSet& maps, const Histogram& histogram) {
+  for (std::size_t i = 0; i < maps.size(); i++)
+    if (histogram.maps[i].counted == 0)
+      throw file_error(
+          ErrorKind::kMalformed, maps.files(i).mask.name,
+          "expected texels that are not 0, got none: it masks every texel of '" + maps.files(i).normals.name + "'");
+}
+
+Palette make_palette(const QuantizeOptions& o, NormalSpace space, const Histogram& histogram,
+                     const Progress& progress) {
+  const FitOptions fit{o.engine, o.encoding, space};
   if (!o.palette.empty()) {
     const MaterialCube cube(o.encoding, int(histogram.material.size()));
     const std::vector<Colour> colours = read_cube_colours(o.palette, cube);
@@ -61,14 +85,19 @@ QuantizeResult quantize_normal_maps(std::vector<MapFiles> files, const QuantizeO
                                     const Progress& progress) {
   check(options, files);
   std::optional<Palette> given = read_given(options);
+  QuantizeResult result;
+  for (const MapFiles& f : files) result.maps.push_back({{}, recorded_space(ImageReader(f.normals))});
+  const NormalSpace space = given           ? given->space
+                            : options.space ? *options.space
+                                            : recorded_space_of_all(files, result.maps);
   MapSet maps(std::move(files), options.coding);
   const Histogram histogram = count_normals(maps, part_of(progress, 0, 0.3));
+  require_counting_texels(maps, histogram);
 
   IndexedMap map;
-  map.palette = given ? std::move(*given) : make_palette(options, histogram, part_of(progress, 0.3, 0.8));
+  map.palette = given ? std::move(*given) : make_palette(options, space, histogram, part_of(progress, 0.3, 0.8));
   Mapper mapper(histogram, map.palette, options.palette.empty() ? "palette" : options.palette.name, options.dither,
                 options.dither_amount);
-  QuantizeResult result;
   AngleStats angles;
   for (std::size_t i = 0; i < maps.size(); i++) {
     OpenMap& open = maps.open(i);
@@ -79,7 +108,7 @@ QuantizeResult quantize_normal_maps(std::vector<MapFiles> files, const QuantizeO
     const double from = double(i) / double(maps.size()), to = double(i + 1) / double(maps.size());
     const AngleStats of_map = mapper.run(open, map.levels[0], part_of(part_of(progress, 0.8, 1), from, to));
     angles += of_map;
-    MapStats& s = result.maps.emplace_back();
+    MapStats& s = result.maps[i];
     s.texels = histogram.maps[i].counted, s.invalid_texels = histogram.maps[i].invalid;
     set_angles(of_map, s);
     sink(i, map);

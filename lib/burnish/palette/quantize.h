@@ -30,7 +30,7 @@ struct QuantizeOptions {
   FileRef palette;
   Dither dither = Dither::kNone;
   double dither_amount = 1;          // [0, 1]
-  std::optional<NormalSpace> space;  // none: that of a given palette, otherwise tangent
+  std::optional<NormalSpace> space;  // none: that of a given palette, otherwise what the maps say, otherwise tangent
   NormalCoding coding;               // of the input
 };
 
@@ -38,6 +38,10 @@ struct MapStats {
   std::size_t texels = 0;          // that count
   std::size_t invalid_texels = 0;  // of them, vectors without a direction, taken as (0,0,1)
   double rms_deg = 0, mean_deg = 0, p95_deg = 0, max_deg = 0;
+};
+
+struct QuantizedMapStats : MapStats {
+  std::optional<NormalSpace> recorded_space;  // what the file says; the palette is in another where that was asked for
 };
 
 struct QuantizeStats : MapStats {          // over all maps
@@ -49,15 +53,16 @@ struct QuantizeStats : MapStats {          // over all maps
 struct QuantizeResult {
   Palette palette;
   QuantizeStats stats;
-  std::vector<MapStats> maps;
+  std::vector<QuantizedMapStats> maps;
 };
 
 // Takes each map, of one level, when it is done, in their order.
 using MapSink = std::function<void(std::size_t i, const IndexedMap& map)>;
 
 // Holds one map at a time. Errors: kUsage for no maps, options out of range, or colours to be written with kSplit;
-// kMalformed for NaN, sizes that differ, materials a given palette lacks, fewer normals than materials; kUnsupported
-// for more than an engine or encoding holds; kThreshold where 65536 normals miss the target error.
+// kMalformed for NaN, sizes that differ, materials a given palette lacks, fewer normals than materials, a mask of
+// zeros, maps that say that they are in different spaces where nothing else decides; kUnsupported for more than an
+// engine or encoding holds; kThreshold where 65536 normals miss the target error.
 QuantizeResult quantize_normal_maps(std::vector<MapFiles> maps, const QuantizeOptions& options, const MapSink& sink,
                                     const Progress& progress = {});
 

@@ -10,12 +10,14 @@
 namespace burnish {
 namespace {
 
-void read_normal_map(const Object& object, ObjectAssets& assets) {
+// Reads the normals; what their file says of their space.
+std::optional<NormalSpace> read_normal_map(const Object& object, ObjectAssets& assets) {
   NormalReader reader(object.normal_map, object.coding);
   assets.width = reader.width(), assets.height = reader.height();
   assets.normals.resize(std::size_t(assets.width) * assets.height);
   reader.read_rows(0, assets.height, assets.normals.data());
   assets.invalid_texels = reader.invalid_texels();
+  return recorded_space(reader.image());
 }
 
 void dequantize(ObjectAssets& assets) {
@@ -23,6 +25,27 @@ void dequantize(ObjectAssets& assets) {
   assets.width = base.width, assets.height = base.height;
   assets.normals.reserve(base.texels());
   for (std::uint16_t index : base.data) assets.normals.push_back(assets.indexed->palette.normals[index]);
+}
+
+// Of both maps: as the scene says, otherwise as they do.
+NormalSpace space_of(const Scene& scene, const Object& object, const ObjectAssets& assets,
+                     std::optional<NormalSpace> recorded) {
+  const auto scene_error = [&](const std::string& message) {
+    return file_error(ErrorKind::kMalformed, scene.name, message);
+  };
+  if (const auto given = object.normal_space) {
+    if (recorded && *recorded != *given)
+      throw scene_error(std::string("expected normal_space = '") + name(*recorded) + "', as '" + object.normal_map +
+                        "' says of itself, got '" + name(*given) + "'");
+    return *given;
+  }
+  if (!assets.indexed) return recorded.value_or(NormalSpace::kTangent);
+  const NormalSpace space = assets.indexed->palette.space;
+  if (recorded && *recorded != space)
+    throw scene_error("expected maps in one space, or 'normal_space' to say which, got '" + object.normal_map +
+                      "' in " + name(*recorded) + " space and '" + object.indexed_map + "' in " + name(space) +
+                      " space");
+  return space;
 }
 
 std::shared_ptr<const MeshSurface> read_surface(const Object& object) {
@@ -85,13 +108,12 @@ std::vector<ObjectAssets> load_assets(Scene& scene) {
     ObjectAssets assets;
     if (!object.mesh.empty()) assets.mesh = read_surface(object);
     if (!object.base.map.empty()) assets.base_colour = read_base_colour(object.base);
-    if (!object.indexed_map.empty()) {
+    if (!object.indexed_map.empty())
       assets.indexed = read_indexed_map(object.indexed_map, object.coding.green, object.palette);
-      assets.space = assets.indexed->palette.space;
-    }
-    if (object.normal_space) assets.space = *object.normal_space;
-    if (!object.normal_map.empty()) read_normal_map(object, assets);
+    std::optional<NormalSpace> recorded;
+    if (!object.normal_map.empty()) recorded = read_normal_map(object, assets);
     else if (assets.indexed) dequantize(assets);
+    assets.space = space_of(scene, object, assets, recorded);
     assign_materials(scene, object, assets);
     out.push_back(std::move(assets));
   }

@@ -29,7 +29,8 @@ struct ObjectAssets {
 
 // One entry an object; environment maps go into the scene's materials. The scene must outlive the result.
 // Errors: of the files; kMalformed where an interval's id has no material, where materials have ids and no indexed map
-// tells them apart, or where a mesh has maps and no texture coordinates.
+// tells them apart, where a mesh has maps and no texture coordinates, or where a normal map says that it is in another
+// space than the scene says, or than the indexed map where the scene says nothing.
 std::vector<ObjectAssets> load_assets(Scene& scene);
 
 }  // namespace burnish

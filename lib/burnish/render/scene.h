@@ -49,7 +49,7 @@ struct Object {
   std::string normal_map, indexed_map;  // empty: none; with neither the surface's own normals are shaded
   std::string palette;                  // of an indexed map whose file holds none (DDS); otherwise empty
   BaseColour base;
-  std::optional<NormalSpace> normal_space;  // of both maps; none: as the indexed map says, otherwise tangent
+  std::optional<NormalSpace> normal_space;  // of both maps; none: as they say, otherwise tangent
   NormalCoding coding;  // of the normal map; its green axis also of an indexed map that does not tell its own
   Filter filter = Filter::kNearest;
   MipMode mip = MipMode::kOff;

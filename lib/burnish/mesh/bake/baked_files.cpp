@@ -7,9 +7,10 @@
 
 namespace burnish {
 
-void write_baked_normals(const NormalMapTarget& target, int width, int height, const std::vector<Vec3f>& normals) {
+void write_baked_normals(const NormalMapTarget& target, NormalSpace space, int width, int height,
+                         const std::vector<Vec3f>& normals) {
   require_encodable(target.coding, target.sample, target.file.name);
-  ImageWriter writer(target.file, target.type, target.sample, width, height, 3);
+  ImageWriter writer(target.file, target.type, target.sample, width, height, 3, space_attributes(target.type, space));
   const bool stored = target.sample == SampleType::kUint8 || target.sample == SampleType::kUint16;
   std::vector<float> row(std::size_t(width) * 3);  // room for samples of any type
   for (int y = 0; y < height; y++) {

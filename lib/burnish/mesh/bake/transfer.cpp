@@ -63,7 +63,7 @@ class Transfer {
         raster_(coarse, options.width * options.samples, options.height * options.samples),
         charts_(uv_charts(coarse)),
         maps_(maps) {
-    if (options.space == MapSpace::kTangent) frames_ = tangent_frames(coarse);
+    if (options.space == NormalSpace::kTangent) frames_ = tangent_frames(coarse);
   }
 
   RowStats row(int y) const {
@@ -123,7 +123,7 @@ class Transfer {
   }
 
   Vec3d in_space(const MeshPoint& place, Vec3d object) const {
-    if (options_.space == MapSpace::kObject) return object;
+    if (options_.space == NormalSpace::kObject) return object;
     return frame_at(coarse_, frames_, place).to_tangent(object);
   }
 

@@ -16,13 +16,9 @@
 #include "burnish/core/image.h"
 #include "burnish/core/progress.h"
 #include "burnish/mesh/mesh.h"
+#include "burnish/normal/normal_space.h"
 
 namespace burnish {
-
-enum class MapSpace {
-  kTangent,  // of the coarse mesh: tangent_frames.h
-  kObject,
-};
 
 enum class RayDirection {
   kSmooth,   // along the smooth normal: continuous, and what displacement maps are displaced along
@@ -32,7 +28,7 @@ enum class RayDirection {
 
 struct TransferOptions {
   int width = 1024, height = 1024;
-  MapSpace space = MapSpace::kObject;
+  NormalSpace space = NormalSpace::kObject;  // tangent: of the coarse mesh (tangent_frames.h)
   RayDirection rays = RayDirection::kSmooth;
   std::optional<double> max_distance;  // default: kMaxDistanceShare of the detailed mesh's diagonal
   std::optional<double> cage;          // outwards; default: max_distance

@@ -1,0 +1,24 @@
+// Whose axes the vectors of a normal map are along, and how its file says so.
+//
+// EXR has the attribute burnish:space, "tangent" or "object"; PNG and TIFF have the same as JSON in the image
+// description. TGA and BMP do not tell.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "burnish/core/image_io.h"
+
+namespace burnish {
+
+enum class NormalSpace { kTangent, kObject };
+const char* name(NormalSpace space);  // "tangent", "object"
+// kMalformed, naming the file, for any other text.
+NormalSpace space_from_name(const std::string& text, const std::string& file_name);
+
+// For the writer of a normal map.
+ImageWriter::Attributes space_attributes(FileType type, NormalSpace space);
+// What the file says; none where it says nothing. kMalformed for a space of another name.
+std::optional<NormalSpace> recorded_space(const ImageReader& reader);
+
+}  // namespace burnish
