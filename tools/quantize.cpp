@@ -129,18 +129,14 @@ Json describe_maps(const Options& o, const Paths& outputs, const QuantizeResult&
   return list;
 }
 
-Json quantize(Tool& tool, Options& o, std::filesystem::path& created) {
+Json quantize(Tool& tool, Options& o) {
   check(o);
   const Paths outputs = output_paths(o);
   const FileType type = o.output_dir.empty() ? o.output.type() : o.output.type_of(outputs[0]);
   const bool with_palette = !o.output.palette_path.empty();
   const FileType palette_type = with_palette ? o.output.palette_type() : type;
   std::vector<MapFiles> maps = read_inputs(tool, o);
-  if (!o.output_dir.empty()) {
-    std::error_code error;
-    if (std::filesystem::create_directory(o.output_dir, error)) created = o.output_dir;
-    if (error) throw file_error(ErrorKind::kIo, o.output_dir, "cannot be made a directory: " + error.message());
-  }
+  if (!o.output_dir.empty()) tool.make_directory(o.output_dir);
   std::vector<FileRef> files;
   for (const std::string& path : outputs) files.push_back(tool.write(path));
   reserve_rgb(tool, o, maps);
@@ -230,9 +226,5 @@ int main(int argc, char** argv) {
              "  burnish-quantize a_n.png b_n.png --mask '{stem}_used.png' --output-dir quantized"});
   Options options;
   add_options(tool.app(), options);
-  std::filesystem::path created;
-  const int code = tool.run(argc, argv, [&] { return quantize(tool, options, created); });
-  std::error_code ignored;
-  if (code != 0 && !created.empty()) std::filesystem::remove(created, ignored);
-  return code;
+  return tool.run(argc, argv, [&] { return quantize(tool, options); });
 }

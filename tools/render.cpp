@@ -8,7 +8,6 @@
 #include "burnish/render/frame_names.h"
 #include "burnish/render/picture.h"
 #include "burnish/render/validate.h"
-#include "cli/exit_code.h"
 #include "cli/options.h"
 #include "cli/tool.h"
 
@@ -100,13 +99,11 @@ Json render(Tool& tool, const Options& o) {
 // JSON has no infinity: the PSNR of equal pictures is null.
 Json decibels(double psnr_db) { return std::isfinite(psnr_db) ? Json(psnr_db) : Json(); }
 
-Json validate(Tool& tool, const Options& o, std::filesystem::path& created) {
+Json validate(Tool& tool, const Options& o) {
   Scene scene = read_inputs(tool, o);
   require_twin(scene.path);
   const std::filesystem::path dir(o.report_dir);
-  std::error_code error;
-  if (std::filesystem::create_directory(dir, error)) created = dir;
-  if (error) throw file_error(ErrorKind::kIo, o.report_dir, "cannot be made a directory: " + error.message());
+  tool.make_directory(o.report_dir);
   const auto file = [&](const std::string& leaf) { return tool.write((dir / leaf).string()); };
   ValidationFiles files;
   files.picture = file(name(scene.path) + std::string(".png"));
@@ -160,12 +157,8 @@ int main(int argc, char** argv) {
                  "report.html; made if missing")
       ->type_name("DIR");
 
-  std::filesystem::path created;
-  const int code = tool.run(argc, argv, [&]() -> Json {
+  return tool.run(argc, argv, [&]() -> Json {
     check(o, app);
-    return o.validate ? validate(tool, o, created) : render(tool, o);
+    return o.validate ? validate(tool, o) : render(tool, o);
   });
-  std::error_code ignored;
-  if (code != kOk && code != kThreshold && !created.empty()) std::filesystem::remove(created, ignored);  // empty by now
-  return code;
 }

@@ -113,12 +113,34 @@ PYTHON
   make_image nan 20 20 maps/nan.exr float
   refuses 3 "'maps/nan.exr'" burnish-quantize $maps maps/nan.exr --output-dir q
   refuses 2 "'maps/none.png'" burnish-quantize $maps maps/none.png --output-dir q
-  refuses 2 "'deep/er'" burnish-quantize $maps --output-dir deep/er
   refuses 2 "'maps/a.png'" burnish-quantize $maps --output-dir maps/a.png
   mkdir q
   succeeds burnish-quantize $maps -n 20 --output-dir q
   refuses 3 "'maps/nan.exr'" burnish-quantize $maps maps/nan.exr --output-dir q  # the old ones stay as they are
   refuses 1 "is an input" burnish-quantize maps/b.exr --output-dir maps
+}
+
+@test "--output-dir makes every level that is missing, and none stays where anything fails" {
+  inputs
+  make_image nan 20 20 maps/nan.exr float
+  refuses 3 "'maps/nan.exr'" burnish-quantize $maps maps/nan.exr --output-dir deep/er/still
+  refuses 5 "uint8" burnish-quantize $maps -n 300 --output-dir maps/deep/er -d uint8
+  refuses 2 "'maps/a.png/deep': cannot be made a directory" burnish-quantize $maps --output-dir maps/a.png/deep
+  succeeds burnish-quantize $maps -n 20 --output-dir deep/er/still
+  [ "$(ls deep/er/still | xargs)" = "a.exr b.exr c.exr" ]
+}
+
+@test "SIGTERM takes the directories away that --output-dir made" {
+  make_image noise 2500 2500 n.tif
+  burnish-normals n.tif -o n.png
+  before=$(inventory)
+  burnish-quantize n.png -n 5000 --output-dir deep/er &
+  tool=$!
+  for _ in $(seq 400); do [ -d deep/er ] && break; sleep 0.01; done
+  [ -d deep/er ]
+  kill -TERM $tool
+  wait $tool || true
+  [ "$before" = "$(inventory)" ]
 }
 
 @test "the same bytes for any thread count, run and order of the maps" {

@@ -166,10 +166,14 @@ scene() {
   refuses 1 "does not go with --validate" burnish-render --validate s.toml --report-dir v -o x.png
   refuses 1 "does not go with --validate" burnish-render --validate s.toml --report-dir v --frames 2
   refuses 1 "is the twin itself" burnish-render --validate s.toml --report-dir v
-  refuses 2 "'no/where'" burnish-render --validate --path palette s.toml --report-dir no/where
+  refuses 2 "'s.toml/v': cannot be made a directory" burnish-render --validate --path palette s.toml --report-dir s.toml/v
   refuses 2 "" burnish-render --validate --path palette s.toml --report-dir s.toml
   echo nonsense >i.png
   refuses 3 "'i.png'" burnish-render --validate --path palette s.toml --report-dir v
+  refuses 3 "'i.png'" burnish-render --validate --path palette s.toml --report-dir v/of/this
+  indexed i.png
+  succeeds burnish-render --validate --path palette s.toml --report-dir v/of/this
+  [ -s v/of/this/report.html ]
 }
 
 @test "scenes that are wrong: exit 3, with line and key" {

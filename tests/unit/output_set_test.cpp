@@ -44,6 +44,62 @@ TEST(OutputSet, WithoutCommitEveryOldFileIsAsItWas) {
   EXPECT_EQ(dir.entries(), 1u);
 }
 
+TEST(OutputSet, DirectoriesAreMadeWithThoseAboveThemAndStayAfterCommit) {
+  const ScratchDir dir;
+  OutputSet set;
+  set.make_directory(dir / "a/b/c/");
+  write_bytes(set.add(dir / "a/b/c/x.png").path, "new");
+  set.make_directory(dir / "a/b");
+  set.commit();
+  EXPECT_EQ(bytes_of(dir / "a/b/c/x.png"), "new");
+}
+
+TEST(OutputSet, WithoutCommitOnlyTheDirectoriesThatWereThereStay) {
+  const ScratchDir dir;
+  std::filesystem::create_directory(dir / "old");
+  {
+    OutputSet set;
+    set.make_directory(dir / "old/a/b");
+    set.make_directory(dir / "new/../new/c");
+    write_bytes(set.add(dir / "old/a/b/x.png").path, "new");
+    EXPECT_TRUE(std::filesystem::is_directory(dir / "new/c"));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(dir / "old"));
+  EXPECT_EQ(dir.entries(), 1u);
+}
+
+TEST(OutputSet, ADirectoryThatSomebodyElsePutAFileIntoStays) {
+  const ScratchDir dir;
+  {
+    OutputSet set;
+    set.make_directory(dir / "a/b");
+    write_bytes(dir / "a/theirs", "theirs");
+  }
+  EXPECT_FALSE(std::filesystem::exists(dir / "a/b"));
+  EXPECT_EQ(bytes_of(dir / "a/theirs"), "theirs");
+}
+
+TEST(OutputSet, AFileInTheWayOfADirectoryIsNamedAndNothingStays) {
+  const ScratchDir dir;
+  write_bytes(dir / "file", "");
+  {
+    OutputSet set;
+    EXPECT_ERROR(set.make_directory(dir / "file"), ErrorKind::kIo, "/file': cannot be made a directory: File exists");
+    set.make_directory(dir / "a");
+    EXPECT_ERROR(set.make_directory(dir / "a/../file/b"), ErrorKind::kIo, "/a/../file/b': cannot be made a directory");
+  }
+  EXPECT_EQ(dir.entries(), 1u);
+}
+
+TEST(OutputSet, ASignalTakesDirectoriesAway) {
+  const ScratchDir dir;
+  OutputSet set;
+  set.make_directory(dir / "a/b");
+  write_bytes(set.add(dir / "a/b/x.png").path, "new");
+  OutputSet::remove_all_temporaries();
+  EXPECT_EQ(dir.entries(), 0u);
+}
+
 TEST(OutputSet, TemporariesLieBesideTheTargetAndMatchNoGlob) {
   const ScratchDir dir;
   OutputSet set;

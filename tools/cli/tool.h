@@ -44,6 +44,8 @@ class Tool {
   void also_read(const std::string& path) { note_input(path); }
   // A file that will be written, all at once when the action has succeeded.
   FileRef write(const std::string& path);
+  // A directory for such files: made, with those above it, where it is missing; taken away again when the run fails.
+  void make_directory(const std::string& path) { output_set_->make_directory(path); }
   // A line on standard error, unless quiet.
   void warn(const std::string& message);
   Progress progress();

@@ -35,7 +35,9 @@ int publish(const std::string& path) {
   throw Error(ErrorKind::kInternal, "too many outputs at once");
 }
 
-void withdraw(int slot) { std::free(const_cast<char*>(g_temporaries[slot].exchange(nullptr))); }
+void withdraw(int slot) {
+  if (slot >= 0) std::free(const_cast<char*>(g_temporaries[slot].exchange(nullptr)));
+}
 
 // Creates a file that did not exist, or returns an empty string with errno set.
 std::string create_unique(const fs::path& directory, const std::string& name) {
@@ -131,6 +133,19 @@ FileRef OutputSet::add_stream(Kind kind, const std::string& name, int rank) {
   return outputs_.back().file;
 }
 
+void OutputSet::make_directory(const std::string& name) {
+  fs::path at;
+  for (const fs::path& part : fs::path(name)) {
+    at /= part;
+    std::error_code ignored;
+    if (fs::is_directory(at, ignored)) continue;
+    if (::mkdir(at.c_str(), 0777) != 0)
+      throw file_error(ErrorKind::kIo, name, std::string("cannot be made a directory: ") + std::strerror(errno));
+    directories_.push_back({at.string()});
+    directories_.back().slot = publish(at.string());
+  }
+}
+
 void OutputSet::discard(const FileRef& file) {
   std::erase_if(outputs_, [&](const Output& o) {
     if (o.file.path != file.path) return false;
@@ -156,6 +171,8 @@ void OutputSet::commit() {
     o.slot = -1;
   }
   outputs_.clear();
+  for (const Directory& d : directories_) withdraw(d.slot);
+  directories_.clear();
 }
 
 OutputSet::~OutputSet() {
@@ -164,11 +181,17 @@ OutputSet::~OutputSet() {
     ::unlink(o.file.path.c_str());
     withdraw(o.slot);
   }
+  for (; !directories_.empty(); directories_.pop_back()) {
+    ::rmdir(directories_.back().path.c_str());
+    withdraw(directories_.back().slot);
+  }
 }
 
 void OutputSet::remove_all_temporaries() noexcept {
   for (auto& slot : g_temporaries)
     if (const char* path = slot.load()) ::unlink(path);
+  for (int i = kSlots; i-- > 0;)  // directories, those inside others first
+    if (const char* path = g_temporaries[i].load()) ::rmdir(path);
 }
 
 ScratchFile::ScratchFile() : path_(create_unique(scratch_directory(), "burnish-stdin")), slot_(-1) {

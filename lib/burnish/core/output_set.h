@@ -25,13 +25,16 @@ class OutputSet {
   // a symbolic link the file it leads to is the target. kIo where the directory is missing or not writable or the
   // target is a directory; kUsage where it is an input or is written twice.
   FileRef add(const std::string& name, int rank = 0);
+  // Makes a directory for outputs, and those above it, where they are missing. kIo where that cannot be. What was made
+  // goes again, empty, unless commit() follows.
+  void make_directory(const std::string& name);
   // Takes one back.
   void discard(const FileRef& file);
   // Copies what goes to streams, then renames the others into place. kIo on failure.
   void commit();
   bool empty() const { return outputs_.empty(); }
 
-  // Removes the temporaries of every live set; callable from a signal handler.
+  // Removes the temporaries and new directories of every live set; callable from a signal handler.
   static void remove_all_temporaries() noexcept;
 
  private:
@@ -42,9 +45,14 @@ class OutputSet {
     int slot, rank;
     Kind kind;
   };
+  struct Directory {
+    std::string path;
+    int slot = -1;
+  };
   FileRef add_stream(Kind kind, const std::string& name, int rank);
 
   std::vector<Output> outputs_;
+  std::vector<Directory> directories_;  // made here, parents first
   std::vector<std::string> inputs_;
 };
 
