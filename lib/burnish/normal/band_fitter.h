@@ -1,0 +1,45 @@
+// The planes of a band of a displacement map, and their normals as samples (plane_fit.h, coding.h).
+//
+// Whole neighbourhoods are convolved; those that are not, at borders that end the map and beside masked texels, are
+// solved one by one. Each row on its own: no result depends on where a band ends.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "burnish/normal/height_bands.h"
+#include "burnish/normal/plane_fit.h"
+
+namespace burnish {
+
+struct NormalBand {
+  int first = 0, rows = 0;
+  std::vector<std::byte> samples;     // as encode_normals makes them
+  double tilt_sum = 0, steepest = 0;  // of angles; tangent of half the largest
+  std::size_t taking_part = 0, degenerate = 0;
+};
+
+class BandFitter {
+ public:
+  // Of a map of that size. The neighbourhood and the target are kept by reference.
+  BandFitter(const Neighborhood& neighborhood, const HeightMapOptions& options, int width, int height,
+             const NormalMapTarget& target);
+
+  // May be called from many threads. kMalformed for slopes beyond floating point.
+  NormalBand fit(const HeightBand& band) const;
+
+ private:
+  void derivative_u(const float* padded, float* out) const;
+  void derivative_v(const float* rows, int stride, float* scratch, float* out) const;
+  void solve_incomplete(const HeightBand& band, int y, Vec3f* normals, NormalBand& out) const;
+  void solve(const HeightBand& band, int x, int y, Vec3f* normals, NormalBand& out) const;
+  void gather(const HeightBand& band, int y, const Vec3f* normals, NormalBand& out) const;
+
+  const Neighborhood& n_;
+  bool fit_u_, fit_v_;
+  int width_, height_;
+  const NormalMapTarget& target_;
+  double scale_u_, scale_v_;
+};
+
+}  // namespace burnish
