@@ -36,7 +36,7 @@ BandFitter::BandFitter(const Neighborhood& neighborhood, const HeightMapOptions&
 }
 
 NormalBand BandFitter::fit(const HeightBand& band) const {
-  NormalBand out{.first = band.first, .rows = band.rows};
+  NormalBand out{band.first, band.rows, {}};
   const int r = n_.radius, stride = band.stride;
   std::vector<float> across;  // derivative along u of every row, for the neighbourhoods that smooth it along v
   if (n_.smoothing.size() > 1) {
