@@ -64,6 +64,7 @@ TEST(RenderLighting, CartoonHasAsManyTonesAsBands) {
   EXPECT_NEAR(tones[2], 0.2, 1e-12);
   EXPECT_NEAR(shade(model, kUp, tilted(48.1), kUp).diffuse.x, 1, 1e-12) << "cos 48.1° > 2/3";
   EXPECT_NEAR(shade(model, kUp, tilted(48.3), kUp).diffuse.x, 0.6, 1e-12);
+  EXPECT_NEAR(shade(model, kUp, kUp, tilted(100)).diffuse.x, 1, 1e-12) << "no outline unless asked for";
   model.outline_cosine = 0.3, model.outline = {0, 0, 1};
   EXPECT_EQ(shade(model, kUp, kUp, tilted(80)).diffuse, (Vec3d{0, 0, 1}));
   EXPECT_EQ(shade(model, kUp, kUp, tilted(60)).diffuse.z, 0);

@@ -45,9 +45,12 @@ TEST_F(RenderMesh, AQuadOfTrianglesIsTheQuad) {
     frames.push_back(render_frame(*s, load_assets(*s), {RenderPath::kAnalytic, 1, 0, {Aov::kUv, Aov::kNormal}}));
   }
   EXPECT_EQ(frames[0].covered.data, frames[1].covered.data);
-  const ErrorMetrics m = compare(frames[0].colour, frames[1].colour, frames[0].covered);
+  // The middle row and column of the 63 lie on a border between texels, which rounding may move.
+  ByteImage inside_texels = frames[0].covered;
+  for (int i = 0; i < 63; i++) *inside_texels.at(31, i) = *inside_texels.at(i, 31) = 0;
+  const ErrorMetrics m = compare(frames[0].colour, frames[1].colour, inside_texels);
   EXPECT_GT(m.pixels, 1000u);
-  EXPECT_LE(m.p95_abs, 1e-6) << "but for texel borders, which rounding may move";
+  EXPECT_LE(m.max_abs, 1e-6);
   for (std::size_t i = 0; i < frames[0].aovs[0].data.size(); i++)
     ASSERT_NEAR(frames[0].aovs[0].data[i], frames[1].aovs[0].data[i], 1e-6);
 }

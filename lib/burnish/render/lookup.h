@@ -9,7 +9,7 @@ namespace burnish {
 
 enum class Filter { kNearest, kBilinear };
 
-// The map repeats in u; in v it repeats (quad) or ends (sphere).
+// The map repeats in u; in v it repeats, or ends where its first and last rows are poles.
 struct Addressing {
   bool repeat_v = true;
 };

@@ -19,8 +19,6 @@ class MeshSurface {
  public:
   MeshSurface(Mesh mesh, MeshShading shading);
 
-  bool has_uvs() const { return mesh_.has_uvs(); }
-  std::size_t triangles() const { return mesh_.triangles.size(); }
   // The nearest point at t > 0 that is seen from outside; the ray is given in object space. From many threads.
   std::optional<SurfacePoint> intersect(const Ray& ray) const;
 

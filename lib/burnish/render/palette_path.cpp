@@ -8,10 +8,11 @@
 namespace burnish {
 namespace {
 
-void require_shadable(const Scene& scene, const Object& object, const ObjectAssets& assets) {
+void require_shadable(const Scene& scene, const Object& object, const ObjectAssets& assets, RenderPath path) {
   if (!assets.indexed)
-    throw file_error(ErrorKind::kMalformed, scene.name,
-                     "path 'palette' needs an 'indexed_map', and " + described(object) + " has none");
+    throw file_error(
+        ErrorKind::kMalformed, scene.name,
+        std::string("path '") + name(path) + "' needs an 'indexed_map', and " + described(object) + " has none");
   if (assets.space == NormalSpace::kTangent && !object.surface.is_flat())
     throw file_error(
         ErrorKind::kMalformed, object.indexed_map,
@@ -43,9 +44,9 @@ class PalettePath final : public ShadingPath {
     for (std::size_t i = 0; i < setup.assets.size(); i++) {
       const Object& object = setup.scene.objects[i];
       const ObjectAssets& assets = setup.assets[i];
-      require_shadable(setup.scene, object, assets);
-      const TableKind kind = table_kind(object.base.blend, assets.interval_materials);
-      colours_.push_back({{assets.indexed->palette, assets.interval_materials, object.transform, kind}, {}});
+      require_shadable(setup.scene, object, assets, expanded ? RenderPath::kPaletteExpanded : RenderPath::kPalette);
+      colours_.push_back(
+          {{assets.indexed->palette, assets.interval_materials, object.transform, object.base.blend}, {}});
     }
     // The first round wakes caches and threads, the second is what a frame costs.
     for (std::size_t i = 0; i < colours_.size(); i++) shade_table(i);

@@ -1,7 +1,9 @@
 #include "burnish/render/palette_table.h"
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "burnish/core/parallel.h"
 #include "burnish/render/table_kernels.h"
@@ -13,12 +15,6 @@ constexpr std::size_t kRun = 512;     // entries whose intermediate values stay 
 constexpr std::size_t kGrain = 4096;  // entries a task
 constexpr double kSharpest = 1000;    // exponent up to which the vectorised power is exact enough
 
-}  // namespace
-
-const char* name(TableKind kind) {
-  return kind == TableKind::kRgb ? "rgb" : kind == TableKind::kIntensity ? "intensity" : "intensity+rgb";
-}
-
 TableKind table_kind(Blend blend, std::span<const Material* const> materials) {
   if (blend == Blend::kMaterial) return TableKind::kRgb;
   const auto only_diffuse = [](const LightingModel& m) {
@@ -29,33 +25,52 @@ TableKind table_kind(Blend blend, std::span<const Material* const> materials) {
   return intensity ? TableKind::kIntensity : TableKind::kIntensityAndRgb;
 }
 
-namespace {
+// Where a run of entries goes: what is reflected on top to three planes; the diffuse part to the same ones, or as α to
+// one of its own. Null: not stored. The first to write a plane starts it with what it is to begin with.
+class Sink {
+ public:
+  Sink(kernels::Colours rgb, float* alpha, Vec3d start, std::size_t count)
+      : rgb_(rgb), alpha_(alpha), count_(count), alpha_start_(float(luminance(start))) {
+    rgb_start_ = alpha ? Vec3f{} : Vec3f(start);
+  }
 
-// Where a run of entries goes: the reflected part to three planes; the diffuse part to the same ones, or as α to one of
-// its own. None: not stored.
-struct Sink {
-  float* specular[3]{};
-  float* alpha = nullptr;
+  void add_diffuse(const float* share, Vec3d colour) {
+    if (alpha_) kernels::add(share, float(luminance(colour)), take(alpha_start_), count_, alpha_);
+    else kernels::add(share, Vec3f(colour), take(rgb_start_), count_, rgb_);
+  }
+  void add_highlight(kernels::Reflection in, Vec3d diffuse, Vec3d specular, float exponent) {
+    if (alpha_) add_diffuse(in.lambert, diffuse);
+    const Vec3f on_rgb = alpha_ ? Vec3f{} : Vec3f(diffuse);
+    kernels::add_highlight(in.lambert, in.base, in.complement, on_rgb, Vec3f(specular), exponent, take(rgb_start_),
+                           count_, rgb_);
+  }
+  // After start_planes().
+  void add_entry(const Shaded& s, std::size_t i) {
+    const Vec3d rgb = alpha_ ? s.specular : s.diffuse + s.specular;
+    if (alpha_) alpha_[i] += float(luminance(s.diffuse));
+    if (rgb_.r) rgb_.r[i] += float(rgb.x), rgb_.g[i] += float(rgb.y), rgb_.b[i] += float(rgb.z);
+  }
+  // For planes that nothing was added to, or is added to entry by entry.
+  void start_planes() {
+    if (const auto start = take(alpha_start_); start && alpha_) std::fill_n(alpha_, count_, *start);
+    if (const auto start = take(rgb_start_); start && rgb_.r) {
+      std::fill_n(rgb_.r, count_, start->x);
+      std::fill_n(rgb_.g, count_, start->y);
+      std::fill_n(rgb_.b, count_, start->z);
+    }
+  }
 
-  void add_diffuse(const float* share, Vec3d colour, std::size_t count) const {
-    if (alpha) kernels::add(share, float(luminance(colour)), count, alpha);
-    else add_specular(share, colour, count);
+ private:
+  template <typename T>
+  static std::optional<T> take(std::optional<T>& start) {
+    return std::exchange(start, std::nullopt);
   }
-  void add_specular(const float* share, Vec3d colour, std::size_t count) const {
-    kernels::add(share, Vec3f(colour), count, {specular[0], specular[1], specular[2]});
-  }
-  void start(Vec3d diffuse, std::size_t count) const {
-    if (alpha) std::fill_n(alpha, count, float(luminance(diffuse)));
-    const Vec3f rgb(alpha ? Vec3d{} : diffuse);
-    if (!specular[0]) return;
-    std::fill_n(specular[0], count, rgb.x), std::fill_n(specular[1], count, rgb.y),
-        std::fill_n(specular[2], count, rgb.z);
-  }
-  void add_entry(const Shaded& s, std::size_t i) const {
-    const Vec3d rgb = alpha ? s.specular : s.diffuse + s.specular;
-    if (alpha) alpha[i] += float(luminance(s.diffuse));
-    if (specular[0]) specular[0][i] += float(rgb.x), specular[1][i] += float(rgb.y), specular[2][i] += float(rgb.z);
-  }
+
+  kernels::Colours rgb_;
+  float* alpha_;
+  std::size_t count_;
+  std::optional<float> alpha_start_;
+  std::optional<Vec3f> rgb_start_;
 };
 
 // How each model is evaluated over a run: those that see the light only through cosines by kernels, the others entry by
@@ -65,13 +80,13 @@ struct Run {
   std::size_t count;
   const Illumination& world;  // but for the ambient light, which all entries start with
   const Rotation& rotation;
-  Sink sink;
+  Sink& sink;
 
   void operator()(const Lambert& model) const {
     float share[kRun];
     for (const Arriving& light : world.lights) {
       kernels::lambert(normals, rotation.inverse(light.direction), count, share);
-      sink.add_diffuse(share, light.colour * model.diffuse, count);
+      sink.add_diffuse(share, light.colour * model.diffuse);
     }
   }
   void operator()(const Phong& model) const { glossy(model, kernels::reflect); }
@@ -85,17 +100,18 @@ struct Run {
   void glossy(const Model& model, const Reflect& reflect) const {
     if (!(model.exponent > 0 && model.exponent <= kSharpest)) return entry_by_entry(model);
     const Vec3d to_viewer = rotation.inverse(world.to_viewer);
-    float share[kRun], base[kRun], complement[kRun];
+    float lambert[kRun], base[kRun], complement[kRun];
+    const kernels::Reflection reflection{lambert, base, complement};
     for (const Arriving& light : world.lights) {
-      reflect(normals, rotation.inverse(light.direction), to_viewer, count, {share, base, complement});
-      sink.add_diffuse(share, light.colour * model.diffuse, count);
-      kernels::power(base, complement, float(model.exponent), count, share);
-      sink.add_specular(share, light.colour * model.specular, count);
+      reflect(normals, rotation.inverse(light.direction), to_viewer, count, reflection);
+      sink.add_highlight(reflection, light.colour * model.diffuse, light.colour * model.specular,
+                         float(model.exponent));
     }
   }
 
   template <typename Model>
   void entry_by_entry(const Model& model) const {
+    sink.start_planes();
     for (std::size_t i = 0; i < count; i++)
       sink.add_entry(model.shade(rotation.apply({normals.x[i], normals.y[i], normals.z[i]}), world), i);
   }
@@ -114,13 +130,16 @@ Vec3d ambient_reflectance(const LightingModel& model) {
 }  // namespace
 
 PaletteTable::PaletteTable(const Palette& palette, std::span<const Material* const> materials,
-                           const Transform& transform, TableKind kind)
-    : materials_(materials), intervals_(palette.materials), rotation_(transform.rotation), kind_(kind) {
+                           const Transform& transform, Blend blend)
+    : materials_(materials),
+      intervals_(palette.materials),
+      rotation_(transform.rotation),
+      kind_(table_kind(blend, materials)) {
   for (const Vec3f& n : palette.normals) {
     const Vec3d s = transform.stretched_normal(Vec3d(n));
     x_.push_back(s.x), y_.push_back(s.y), z_.push_back(s.z);
   }
-  const int channels = kind == TableKind::kRgb ? 3 : kind == TableKind::kIntensity ? 1 : 4;
+  const int channels = kind_ == TableKind::kRgb ? 3 : kind_ == TableKind::kIntensity ? 1 : 4;
   planes_.assign(channels, std::vector<float>(palette.normals.size()));
 }
 
@@ -134,13 +153,13 @@ void PaletteTable::shade(const Illumination& world) {
     parallel_for_chunks(intervals_[m].count, kGrain, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = first + begin; i < first + end; i += kRun) {
         const std::size_t count = std::min(kRun, first + end - i);
-        Sink sink;
-        if (kind_ != TableKind::kIntensity)
-          for (int c = 0; c < 3; c++) sink.specular[c] = planes_[c].data() + i;
-        if (kind_ != TableKind::kRgb) sink.alpha = planes_.back().data() + i;
-        sink.start(ambient, count);
+        const auto rgb = kind_ == TableKind::kIntensity
+                             ? kernels::Colours{}
+                             : kernels::Colours{planes_[0].data() + i, planes_[1].data() + i, planes_[2].data() + i};
+        Sink sink(rgb, kind_ == TableKind::kRgb ? nullptr : planes_.back().data() + i, ambient, count);
         const Run run{{x_.data() + i, y_.data() + i, z_.data() + i}, count, lights, rotation_, sink};
         for (const LightingModel& term : terms) std::visit(run, term);
+        sink.start_planes();
       }
     });
   }

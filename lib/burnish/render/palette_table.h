@@ -4,8 +4,8 @@
 //   RGB               the colour itself                                          (r, g, b)
 //   intensity         α, to multiply a base colour with                          (α)
 //   intensity + RGB   the reflected light, and α                                 (r, g, b, α)
-// α is the luminance of the diffuse part. Single precision: within 1e-6 of the models' own double precision for
-// highlights of exponents up to a thousand.
+// α is the luminance of the diffuse part. Single precision: of colours up to 1, within 1e-6 of the models' own double
+// precision.
 #pragma once
 
 #include <span>
@@ -19,17 +19,14 @@
 namespace burnish {
 
 enum class TableKind { kRgb, kIntensity, kIntensityAndRgb };
-const char* name(TableKind kind);  // "rgb", "intensity", "intensity+rgb"
-
-// An intensity alone is enough where no material reflects anything on top of its diffuse part.
-TableKind table_kind(Blend blend, std::span<const Material* const> materials);
 
 class PaletteTable {
  public:
   // `materials`: one an interval of the palette, none null; they outlive the table. Stretching the normals by the
-  // transform's scale is done here, once.
+  // transform's scale is done here, once. An intensity alone is enough for a base colour where no material reflects
+  // anything on top of its diffuse part.
   PaletteTable(const Palette& palette, std::span<const Material* const> materials, const Transform& transform,
-               TableKind kind);
+               Blend blend);
 
   // Shades all entries: directions go into object space by the inverse of the model's turn, and an interval is one loop
   // over each of its material's models, so that no entry asks which it has (section 6). In parallel; an entry depends

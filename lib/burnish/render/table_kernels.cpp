@@ -19,22 +19,22 @@ namespace {
 // max(0, x), in a form that vectorises
 inline double positive(double x) { return x > 0 ? x : 0.0; }
 
-// log₂(1 + f) for f in [√½ − 1, √2 − 1]: 2/ln 2 · artanh(f / (2 + f)) by a minimax polynomial, relative error 1.2e-7.
+// log₂(1 + f) for f in [√½ − 1, √2 − 1]: 2/ln 2 · artanh(f / (2 + f)) by a minimax polynomial, relative error 7e-10.
 inline float log2_1p(float f) {
   const float s = f / (2.0f + f), s2 = s * s;
-  return s * (2.88539042f + s2 * (0.96158824f + s2 * 0.59578546f));
+  return s * (2.88539f + s2 * (0.9617988f + s2 * (0.57671666f + s2 * 0.4316915f)));
 }
 
-// 2^f for f in [−½, ½] by a minimax polynomial, relative error 9.2e-8; in pairs, which keeps the chain short.
+// 2^f for f in [−½, ½] by a minimax polynomial, relative error 2e-9; in pairs, which keeps the chain short.
 inline float exp2_near_0(float f) {
   const float f2 = f * f;
-  const float low = 1.0f + f * 0.693147004f, middle = 0.240222424f + f * 0.0555073358f,
-              high = 0.00967151299f + f * 0.00132647273f;
+  const float low = 1.0f + f * 0.6931472f, middle = 0.24022648f + f * 0.055503324f,
+              high = 0.009618437f + f * 0.0013398875f + f2 * 0.00015353362f;
   return low + f2 * (middle + f2 * high);
 }
 
 // x = 2^k · (1 + f) with 1 + f in [√½, √2); where k = 0, f is −complement. Then 2^(exponent · (k + log₂(1 + f))).
-inline float power_of(float x, float complement, float exponent) {
+[[gnu::always_inline]] inline float power_of(float x, float complement, float exponent) {
   constexpr std::int32_t kRootHalf = 0x3f3504f3, kOne = 0x3f800000;
   constexpr float kLeast = -125.0f;
   const std::int32_t bits = std::bit_cast<std::int32_t>(x), k = (bits - kRootHalf) >> 23;
@@ -53,47 +53,72 @@ BURNISH_VECTOR_UNITS void lambert(Normals n, Vec3d l, std::size_t count, float* 
   for (std::size_t i = 0; i < count; i++) out[i] = float(positive(x[i] * l.x + y[i] * l.y + z[i] * l.z));
 }
 
-BURNISH_VECTOR_UNITS void reflect(Normals n, Vec3d l, Vec3d v, std::size_t count, Reflection out) {
+// `mirrored`: of r·v, the base of the highlight's power.
+template <typename Mirrored>
+[[gnu::always_inline]] inline void reflect_by(Normals n, Vec3d l, Vec3d v, std::size_t count, Reflection out,
+                                              Mirrored mirrored) {
   const double* __restrict x = n.x, * __restrict y = n.y, * __restrict z = n.z, l_dot_v = dot(l, v);
   float* __restrict cosine = out.lambert, * __restrict base = out.base, * __restrict complement = out.complement;
   for (std::size_t i = 0; i < count; i++) {
     const double nl = x[i] * l.x + y[i] * l.y + z[i] * l.z, nv = x[i] * v.x + y[i] * v.y + z[i] * v.z;
-    const double kept = nl > kGrazing ? positive(2 * nl * nv - l_dot_v) : 0.0;
+    const double kept = mirrored(nl > kRounding ? positive(2 * nl * nv - l_dot_v) : 0.0);
     cosine[i] = float(positive(nl));
     base[i] = float(kept);
     complement[i] = float(1 - kept);
   }
 }
 
+BURNISH_VECTOR_UNITS void reflect(Normals n, Vec3d l, Vec3d v, std::size_t count, Reflection out) {
+  reflect_by(n, l, v, count, out, [](double r_dot_v) { return r_dot_v; });
+}
+
 BURNISH_VECTOR_UNITS void reflect_doubled(Normals n, Vec3d l, Vec3d v, std::size_t count, Reflection out) {
-  const double* __restrict x = n.x, * __restrict y = n.y, * __restrict z = n.z, l_dot_v = dot(l, v);
-  float* __restrict cosine = out.lambert, * __restrict base = out.base, * __restrict complement = out.complement;
-  for (std::size_t i = 0; i < count; i++) {
-    const double nl = x[i] * l.x + y[i] * l.y + z[i] * l.z, nv = x[i] * v.x + y[i] * v.y + z[i] * v.z;
-    const double kept = nl > kGrazing ? positive(2 * nl * nv - l_dot_v) : 0.0;
-    const double doubled = positive(2 * kept * kept - 1);
-    cosine[i] = float(positive(nl));
-    base[i] = float(doubled);
-    complement[i] = float(1 - doubled);
-  }
+  reflect_by(n, l, v, count, out, [](double r_dot_v) { return positive(2 * r_dot_v * r_dot_v - 1); });
 }
 
-BURNISH_VECTOR_UNITS void power(const float* __restrict base, const float* __restrict complement, float exponent,
-                                std::size_t count, float* __restrict out) {
-  for (std::size_t i = 0; i < count; i++) out[i] = power_of(base[i], complement[i], exponent);
+BURNISH_VECTOR_UNITS void add(const float* __restrict share, float factor, std::optional<float> start,
+                              std::size_t count, float* __restrict out) {
+  if (start)
+    for (std::size_t i = 0; i < count; i++) out[i] = *start + factor * share[i];
+  else
+    for (std::size_t i = 0; i < count; i++) out[i] += factor * share[i];
 }
 
-BURNISH_VECTOR_UNITS void add(const float* __restrict share, float factor, std::size_t count, float* __restrict out) {
-  for (std::size_t i = 0; i < count; i++) out[i] += factor * share[i];
-}
-
-BURNISH_VECTOR_UNITS void add(const float* __restrict share, Vec3f colour, std::size_t count, Colours out) {
+BURNISH_VECTOR_UNITS void add(const float* __restrict share, Vec3f colour, std::optional<Vec3f> start,
+                              std::size_t count, Colours out) {
   float* __restrict r = out.r, * __restrict g = out.g, * __restrict b = out.b;
-  for (std::size_t i = 0; i < count; i++) {
-    r[i] += colour.x * share[i];
-    g[i] += colour.y * share[i];
-    b[i] += colour.z * share[i];
-  }
+  if (start)
+    for (std::size_t i = 0; i < count; i++) {
+      r[i] = start->x + colour.x * share[i];
+      g[i] = start->y + colour.y * share[i];
+      b[i] = start->z + colour.z * share[i];
+    }
+  else
+    for (std::size_t i = 0; i < count; i++) {
+      r[i] += colour.x * share[i];
+      g[i] += colour.y * share[i];
+      b[i] += colour.z * share[i];
+    }
+}
+
+BURNISH_VECTOR_UNITS void add_highlight(const float* __restrict lambert, const float* __restrict base,
+                                        const float* __restrict complement, Vec3f diffuse, Vec3f specular,
+                                        float exponent, std::optional<Vec3f> start, std::size_t count, Colours out) {
+  float* __restrict r = out.r, * __restrict g = out.g, * __restrict b = out.b;
+  if (start)
+    for (std::size_t i = 0; i < count; i++) {
+      const float cosine = lambert[i], power = power_of(base[i], complement[i], exponent);
+      r[i] = start->x + (diffuse.x * cosine + specular.x * power);
+      g[i] = start->y + (diffuse.y * cosine + specular.y * power);
+      b[i] = start->z + (diffuse.z * cosine + specular.z * power);
+    }
+  else
+    for (std::size_t i = 0; i < count; i++) {
+      const float cosine = lambert[i], power = power_of(base[i], complement[i], exponent);
+      r[i] += diffuse.x * cosine + specular.x * power;
+      g[i] += diffuse.y * cosine + specular.y * power;
+      b[i] += diffuse.z * cosine + specular.z * power;
+    }
 }
 
 }  // namespace burnish::kernels

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "burnish/core/vec3.h"
 
@@ -28,18 +29,21 @@ void reflect(Normals n, Vec3d l, Vec3d v, std::size_t count, Reflection out);
 // The angle between r and v doubled: base = max(0, 2 (r·v)² − 1), and 0 where r·v ≤ 0.
 void reflect_doubled(Normals n, Vec3d l, Vec3d v, std::size_t count, Reflection out);
 
-// out = base^exponent for a base in [0,1]; within 1e-7 of the exact value, and 0 for a base of 0. The exponent is above
-// 0.
-void power(const float* base, const float* complement, float exponent, std::size_t count, float* out);
-
-// out += factor · share
-void add(const float* share, float factor, std::size_t count, float* out);
-
 // A colour for each entry, a channel an array.
 struct Colours {
   float *r, *g, *b;
 };
+
+// What follows adds to what `out` holds; where there is a start, to that instead, so that no pass is spent on writing
+// it.
+
+// out += factor · share
+void add(const float* share, float factor, std::optional<float> start, std::size_t count, float* out);
 // out += colour · share
-void add(const float* share, Vec3f colour, std::size_t count, Colours out);
+void add(const float* share, Vec3f colour, std::optional<Vec3f> start, std::size_t count, Colours out);
+// out += diffuse · lambert + specular · base^exponent for bases in [0,1]; the power is within 1.5e-7 of the exact
+// value, and 0 for a base of 0. The exponent is above 0.
+void add_highlight(const float* lambert, const float* base, const float* complement, Vec3f diffuse, Vec3f specular,
+                   float exponent, std::optional<Vec3f> start, std::size_t count, Colours out);
 
 }  // namespace burnish::kernels

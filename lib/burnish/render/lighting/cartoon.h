@@ -18,11 +18,11 @@ struct Cartoon {
   int bands = 3;              // at least 2
 
   Shaded shade(Vec3d n, const Illumination& in) const {
-    if (dot(n, in.to_viewer) < outline_cosine - kGrazing) return {outline, {}};
+    if (outline_cosine > 0 && dot(n, in.to_viewer) < outline_cosine - kRounding) return {outline, {}};
     double brightness = 0;
     for (const Arriving& light : in.lights)
       brightness += luminance(light.colour) * std::max(0.0, dot(n, light.direction));
-    const double tone = std::min(std::floor(brightness * bands + kGrazing), bands - 1.0) / (bands - 1);
+    const double tone = std::min(std::floor(brightness * bands + kRounding), bands - 1.0) / (bands - 1);
     return {shadow + (diffuse - shadow) * tone, {}};
   }
 };

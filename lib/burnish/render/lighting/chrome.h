@@ -14,7 +14,7 @@ struct Chrome {
 
   Shaded shade(Vec3d n, const Illumination& in) const {
     const double w = mirrored(in.to_viewer, n).y;
-    const Vec3d seen = w > kGrazing ? horizon + (sky - horizon) * w : ground + (nadir - ground) * -w;
+    const Vec3d seen = w > kRounding ? horizon + (sky - horizon) * w : ground + (nadir - ground) * -w;
     return {{}, specular * seen};
   }
 };

@@ -17,7 +17,7 @@ Shaded shade_glossy(const Model& model, Vec3d n, const Illumination& in) {
   Shaded out = model.Lambert::shade(n, in);
   for (const Arriving& light : in.lights) {
     const double cosine = dot(n, light.direction);
-    if (cosine <= kGrazing) continue;
+    if (cosine <= kRounding) continue;
     const Vec3d r = n * (2 * cosine) - light.direction;
     out.specular += light.colour * model.specular * model.highlight(dot(r, in.to_viewer));
   }

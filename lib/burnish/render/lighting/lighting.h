@@ -25,9 +25,9 @@ struct Shaded {
   friend Shaded operator+(const Shaded& a, const Shaded& b) { return {a.diffuse + b.diffuse, a.specular + b.specular}; }
 };
 
-// Below it the cosine between normal and light is taken for grazing, and not lit: what is left of an exact 0 after a
-// rotation must not decide whether a highlight appears.
-inline constexpr double kGrazing = 1e-9;
+// What a rotation may leave of an exact value: where a model has a step, it lies this far to one side, so that rounding
+// does not decide whether a highlight appears.
+inline constexpr double kRounding = 1e-9;
 
 // Rec. 709: how bright a colour is, where one number must do.
 inline double luminance(Vec3d c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
