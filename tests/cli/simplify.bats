@@ -79,6 +79,53 @@ PYTHON
   same_bytes low.obj same.obj
 }
 
+@test "--new-atlas: other texture coordinates for a mesh that has some, such as ones beyond [0,1]" {
+  mesh torus 24 torus.obj
+  bare torus 24 bare.obj
+  succeeds burnish-simplify torus.obj -o low.obj --faces 200 --atlas 256 --new-atlas --report r.json
+  fits_schema simplify r.json
+  succeeds burnish-simplify bare.obj -o same.obj --faces 200 --atlas 256
+  same_bytes low.obj same.obj
+  succeeds burnish-simplify bare.obj -o same.obj --faces 200 --atlas 256 --new-atlas
+  same_bytes low.obj same.obj
+  # What burnish-transfer refuses names the way out, which leads out.
+  sed 's/^vt 1 /vt 1.0167 /' torus.obj >beyond.obj
+  refuses 3 "'beyond.obj': expected texture coordinates in [0,1], got (1.016700, " burnish-transfer beyond.obj torus.obj -o n.png
+  refuses 3 "(burnish-simplify --atlas --new-atlas makes others)" burnish-transfer beyond.obj torus.obj -o n.png
+  make_image bumps 64 64 h.png
+  refuses 3 "(burnish-simplify --atlas --new-atlas makes others)" burnish-normals h.png --mesh beyond.obj -o n.png
+  succeeds burnish-simplify beyond.obj -o within.obj --atlas 256 --new-atlas
+  [ "$(faces within.obj)" = "$(faces torus.obj)" ]
+  succeeds burnish-transfer within.obj torus.obj -o n.png --size 256
+  succeeds burnish-normals h.png --mesh within.obj -o n.png
+  refuses 1 "--atlas" burnish-simplify torus.obj -o x.obj --faces 200 --new-atlas
+}
+
+@test "neither --faces nor --atlas: the same mesh in another type of file" {
+  mesh torus 12 torus.obj
+  succeeds burnish-simplify torus.obj -o torus.ply --report r.json
+  fits_schema simplify r.json
+  [ "$(value faces r.json) $(value max_distance r.json)" = "$(faces torus.obj) 0.0" ]
+  succeeds burnish-simplify torus.ply -o again.obj
+  [ "$(faces again.obj)" = "$(faces torus.obj)" ]
+  for what in v vt; do
+    [ "$(grep "^$what " again.obj | sort -u | wc -l)" = "$(grep "^$what " torus.obj | sort -u | wc -l)" ]
+  done
+}
+
+@test "groups, objects and materials of an OBJ are not kept, which a warning says once" {
+  bare torus 12 torus.obj
+  { printf 'mtllib a.mtl\no ring\ns off\n'; sed 's/^f /usemtl gold\ng half\nf /' torus.obj; } >named.obj
+  call burnish-simplify named.obj -o low.obj --faces 200
+  [ "$status" -eq 0 ]
+  [ "$(cat err)" = "burnish-simplify: warning: 'named.obj': groups, objects and materials are not kept (mtllib, o, usemtl, g)" ]
+  succeeds burnish-simplify torus.obj -o same.obj --faces 200
+  same_bytes low.obj same.obj
+  succeeds burnish-simplify named.obj -o quiet.obj --faces 200 -q
+  { printf 's 1\n# g comment\n'; cat torus.obj; } >smooth.obj
+  succeeds burnish-simplify smooth.obj -o same.obj --faces 200
+}
+
 @test "no fewer than wanted: written as it is, with a warning" {
   bare sphere 6 ball.obj
   call burnish-simplify ball.obj -o low.obj --faces 5000 --report r.json
@@ -159,6 +206,12 @@ PYTHON
   [ "$status" -eq 0 ]
   [ "$(cat err)" = "burnish-simplify: warning: 'torus.obj': 2 faces without area are left out" ]
   [ "$(faces low.obj)" = 200 ]
+  sed -i '$d' torus.obj
+  call burnish-simplify torus.obj -o low.obj --faces 200
+  [ "$(cat err)" = "burnish-simplify: warning: 'torus.obj': 1 face without area is left out" ]
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
+  call burnish-simplify one.obj -o low.obj --faces 4
+  [ "$(cat err)" = "burnish-simplify: warning: 'one.obj' has no more than 1 triangle; none is taken away" ]
 }
 
 @test "junk for numbers, and options that are missing" {
@@ -169,7 +222,6 @@ PYTHON
   for junk in 15 0 -1 1.5 big "" 131073 256x256; do
     refuses 1 "--atlas" burnish-simplify torus.obj -o x.obj --atlas "$junk"
   done
-  refuses 1 "--faces or --atlas is required" burnish-simplify torus.obj -o x.obj
   refuses 1 "--output" burnish-simplify torus.obj --faces 100
   refuses 1 "MESH" burnish-simplify -o x.obj --faces 100
   refuses 1 "" burnish-simplify torus.obj torus.obj -o x.obj --faces 100
@@ -191,8 +243,9 @@ PYTHON
   grep '^v ' torus.obj >no-faces.obj
   printf 'v 0 0 0\nv 1 0 0\nf 1 2 3\n' >dangling.obj
   head -c 300 /dev/urandom >junk.ply
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nf 1/1 2/1 3/1\nf 2 4 3\n' >some-uvs.obj
   mkdir dir.obj
-  for bad in nan.obj infinite.obj empty.obj no-faces.obj dangling.obj junk.ply; do
+  for bad in nan.obj infinite.obj empty.obj no-faces.obj dangling.obj some-uvs.obj junk.ply; do
     refuses 3 "'$bad'" burnish-simplify $bad -o x.obj --faces 100
   done
   refuses 2 "'dir.obj'" burnish-simplify dir.obj -o x.obj --faces 100

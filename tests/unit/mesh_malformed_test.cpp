@@ -39,8 +39,8 @@ TEST(MeshMalformed, ObjFilesAreRefusedWithItsLine) {
   bad(vertices + "vt 0 0\nf 1/2 2/1 3/1\n", "line 5: expected texture coordinate 1 to 1, got 2");
   bad(vertices + "f 1//1 2//1 3//1\n", "line 4: expected normal 1 to 0, got 1");
   bad(vertices + "vt 0 0\nf 1/1 2 3/1\n", "line 5: expected every corner of a face to name its texture coordinate");
-  bad(vertices + "vt 0 0\nf 1/1 2/1 3/1\nf 1 2 3\n", "line 6: expected every face to name its texture coordinates",
-      ErrorKind::kUnsupported);
+  bad(vertices + "vt 0 0\nf 1/1 2/1 3/1\nf 1 2 3\n", "line 6: expected every face to name its texture coordinates");
+  bad(vertices + "vn 0 0 1\nf 1 2 3\nf 1//1 2//1 3//1\n", "line 6: expected every face to name its normals or none to");
   bad(vertices + "f 1 2\n", "line 4: expected at least 3 corners of a face, got 2");
   for (const char* corner : {"x", "-4", "0", "/1", "1/2/3/4", "1x", "1.5", "1\\2"})
     bad(vertices + "f 1 2 " + corner + "\n", std::string("got '") + corner + "'");

@@ -68,9 +68,9 @@ void require_atlas(const Mesh& mesh) {
     for (std::uint32_t i : triangle) {
       const Vec2d uv = mesh.uvs[i];
       if (!(uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1))
-        throw file_error(
-            ErrorKind::kMalformed, mesh.name,
-            "expected texture coordinates in [0,1], got (" + std::to_string(uv.x) + ", " + std::to_string(uv.y) + ")");
+        throw file_error(ErrorKind::kMalformed, mesh.name,
+                         "expected texture coordinates in [0,1], got (" + std::to_string(uv.x) + ", " +
+                             std::to_string(uv.y) + ") (burnish-simplify --atlas --new-atlas makes others)");
     }
 }
 

@@ -46,9 +46,10 @@ Mesh read_mesh(const FileRef& file, MeshReadStats* stats) {
 }
 
 Mesh parse_mesh(MeshFileType type, std::string_view bytes, const std::string& name, MeshReadStats* stats) {
-  std::size_t dropped = 0;
-  Mesh mesh = to_triangles(read_polygons(type, bytes, name), name, dropped);
-  if (stats) stats->dropped_faces = dropped;
+  PolygonMesh polygons = read_polygons(type, bytes, name);
+  MeshReadStats found{.left_out = std::move(polygons.left_out)};
+  Mesh mesh = to_triangles(std::move(polygons), name, found.dropped_faces);
+  if (stats) *stats = std::move(found);
   return mesh;
 }
 

@@ -3,12 +3,14 @@
 // Polygons become triangles (mesh/polygon.h). What has no area is dropped; edges of more than two triangles are kept.
 // Normals are normalised; one of no length becomes the triangle's own.
 // Errors: kIo where the file cannot be read; kMalformed where it is damaged, holds NaN, infinity or what is beyond
-// single precision, names vertices that are not there, or has no face with area; of text with the line. kUnsupported
-// for an unknown extension and for what is valid and not provided: free-form surfaces, texture coordinates or normals
-// of some faces only, faces of more than 10,000 corners.
+// single precision, names vertices that are not there, has texture coordinates or normals of some faces only, or has no
+// face with area; of text with the line. kUnsupported for an unknown extension and for what is valid and not provided:
+// free-form surfaces, faces of more than 10,000 corners.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "burnish/core/image_io.h"
 #include "burnish/mesh/mesh.h"
@@ -17,6 +19,9 @@ namespace burnish {
 
 struct MeshReadStats {
   std::size_t dropped_faces = 0;  // all of whose triangles have no area
+  // Statements of an OBJ that name groups, objects or materials, which a mesh does not keep: "g", "usemtl", … in the
+  // file's order, each once.
+  std::vector<std::string> left_out;
 };
 
 enum class MeshFileType { kObj, kPly, kOff, kStl };

@@ -8,9 +8,10 @@
 namespace burnish {
 namespace {
 
-constexpr std::string_view kPassedOver[] = {"g",      "o",        "s",      "usemtl",     "mtllib",   "l",
-                                            "p",      "mg",       "lod",    "vp",         "bevel",    "c_interp",
-                                            "usemap", "d_interp", "maplib", "shadow_obj", "trace_obj"};
+// Groups, objects and materials: a mesh here has none, and who gave them may miss them.
+constexpr std::string_view kLeftOut[] = {"g", "o", "usemtl", "mtllib"};
+constexpr std::string_view kPassedOver[] = {
+    "s", "l", "p", "mg", "lod", "vp", "bevel", "c_interp", "usemap", "d_interp", "maplib", "shadow_obj", "trace_obj"};
 // Free-form curves and surfaces, other files, and what the specification calls superseded.
 constexpr std::string_view kUnprovided[] = {"cstype", "deg",  "bmat", "step", "curv", "curv2", "surf",  "parm",
                                             "trim",   "hole", "scrv", "sp",   "end",  "con",   "ctech", "stech",
@@ -44,7 +45,12 @@ class ObjReader {
     else if (std::ranges::count(kUnprovided, keyword))
       throw file_error(ErrorKind::kUnsupported, name_,
                        "line " + std::to_string(lines_.line()) + ": expected polygons only, got " + quoted(keyword));
+    else if (std::ranges::count(kLeftOut, keyword)) leave_out(keyword);
     else if (!std::ranges::count(kPassedOver, keyword)) lines_.refuse_word("a statement of OBJ", keyword);
+  }
+
+  void leave_out(std::string_view keyword) {
+    if (!std::ranges::count(mesh_.left_out, keyword)) mesh_.left_out.emplace_back(keyword);
   }
 
   // A weight or a colour may follow.
@@ -79,7 +85,7 @@ class ObjReader {
     if (begin == 0) mesh_.has_uvs = of_face[1], mesh_.has_normals = of_face[2];
     for (std::size_t k = 1; k < 3; k++)
       if (of_face[k] != (k == 1 ? mesh_.has_uvs : mesh_.has_normals))
-        throw file_error(ErrorKind::kUnsupported, name_,
+        throw file_error(ErrorKind::kMalformed, name_,
                          "line " + std::to_string(lines_.line()) + ": expected every face to name its " + kWhat[k] +
                              "s or none to, as the first does, got " +
                              (of_face[k] ? "one that does" : "one that does not"));

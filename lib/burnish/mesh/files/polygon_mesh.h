@@ -17,6 +17,7 @@ struct PolygonMesh {
   std::vector<Corner> corners;
   std::vector<std::size_t> face_ends;  // into corners
   bool has_uvs = false, has_normals = false;
+  std::vector<std::string> left_out;  // as MeshReadStats
 
   void end_face() { face_ends.push_back(corners.size()); }
   // Where each vertex has texture coordinates and a normal of its own.
