@@ -1,5 +1,4 @@
 // burnish-mipmap: the mip chain of a map.
-#include <charconv>
 
 #include "burnish/core/error.h"
 #include "burnish/core/mip.h"
@@ -25,6 +24,14 @@ std::string level_name(const std::string& pattern, int level) {
   return pattern.substr(0, percent) + number + pattern.substr(d + 1);
 }
 
+// Kinds that are known and not there yet are no mistake of the caller's.
+void require_indexed(const std::string& kind) {
+  if (kind == "indexed") return;
+  for (const char* later : {"normal", "material", "ptm", "colour"})
+    if (kind == later) throw Error(ErrorKind::kUnsupported, "--kind " + kind + " is not there yet; there is indexed");
+  throw Error(ErrorKind::kUsage, "--kind: expected indexed, got '" + kind + "'");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -44,9 +51,8 @@ int main(int argc, char** argv) {
       ->type_name("FILE");
   output.add_to(app);
   app.get_option("--output")->required(false);
-  app.add_option("--kind", kind, "What MAP is; default: told from the file")
-      ->check(CLI::IsMember({"indexed", "normal", "material", "ptm", "colour"}))
-      ->type_name("KIND");
+  app.add_option("--kind", kind, "What MAP is; so far only indexed normal maps have mip chains (default)")
+      ->type_name("indexed");
   auto* from = add_choice<MipAverage>(app, "--from", options.average,
                                       {{"level", MipAverage::kLevel}, {"base", MipAverage::kBase}},
                                       "Average the quantized level below (default) or the quantized base");
@@ -54,7 +60,7 @@ int main(int argc, char** argv) {
       ->type_name("NORMAL")
       ->excludes(from);
   app.add_option("--levels", levels, "How many levels, with the base (default all)")
-      ->check(CLI::Range(1, 32))
+      ->check(in_range(1, 32))
       ->type_name("N");
   app.add_option("--split", split, "Write one file a level, named by a pattern such as 'name_%d.png'")
       ->type_name("PATTERN");
@@ -62,10 +68,9 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&]() -> Json {
     if (output.path.empty() && split.empty()) throw Error(ErrorKind::kUsage, "--output or --split is required");
-    if (kind != "indexed")
-      throw Error(ErrorKind::kUnsupported, "--kind " + kind + ": only indexed normal maps are provided");
+    require_indexed(kind);
     const FileType type = output.path.empty() ? FileType::kExr : output.type();
-    const FileType split_type = split.empty() ? FileType::kExr : output.type_of(level_name(split, 0));
+    const FileType split_type = split.empty() ? FileType::kExr : output.type_of(level_name(split, 0), "--split");
     const bool with_palette = !output.palette_path.empty();
     const FileType palette_type = with_palette ? output.palette_type() : type;
     const FileRef file = tool.read(input);

@@ -22,10 +22,14 @@ struct Options {
   QuantizeOptions quantize;
 };
 
+const std::string kStem = "{stem}";  // a map's own, in the names of what goes with it
+
 Error usage(const std::string& message) { return Error(ErrorKind::kUsage, message); }
 
 // What CLI11 cannot say: which options go together.
 void check(const Options& o) {
+  if (!o.rgb.empty() && o.quantize.encoding == MaterialEncoding::kSplit)
+    throw usage("--emit-rgb needs --material-encoding alpha or subcubes");
   if (o.output_dir.empty()) {
     if (o.output.path.empty()) throw usage("--output is required, or --output-dir");
     if (o.inputs.size() > 1)
@@ -51,10 +55,9 @@ Paths for_each_map(const Options& o, const std::string& flag, const Paths& given
   Paths paths;
   for (std::size_t i = 0; i < o.inputs.size(); i++) {
     std::string path = given[given.size() == 1 ? 0 : i];
-    const std::string key = "{stem}";
-    for (std::size_t at = 0; (at = path.find(key, at)) != std::string::npos;) {
+    for (std::size_t at = 0; (at = path.find(kStem, at)) != std::string::npos;) {
       const std::string stem = stem_of(o.inputs[i]);
-      path.replace(at, key.size(), stem);
+      path.replace(at, kStem.size(), stem);
       at += stem.size();
     }
     paths.push_back(path);
@@ -94,10 +97,12 @@ std::vector<MapFiles> read_inputs(Tool& tool, Options& o) {
 
 void reserve_rgb(Tool& tool, const Options& o, std::vector<MapFiles>& maps) {
   if (o.rgb.empty()) return;
+  if (maps.size() > 1 && o.rgb.find(kStem) == std::string::npos)
+    throw usage("--emit-rgb: expected a name with {stem} for the images of " + std::to_string(maps.size()) +
+                " maps, got '" + o.rgb + "'");
   const Paths paths = for_each_map(o, "--emit-rgb", {o.rgb});
   for (std::size_t i = 0; i < maps.size(); i++) {
-    if (file_type_of(paths[i]) != FileType::kPng)
-      throw file_error(ErrorKind::kUnsupported, paths[i], "colours for quantizers are written as PNG");
+    WrittenAs{"an image of colours", {FileType::kPng}}.type_of(paths[i], "--emit-rgb");
     maps[i].rgb = tool.write(paths[i]);
   }
 }
@@ -132,7 +137,7 @@ Json describe_maps(const Options& o, const Paths& outputs, const QuantizeResult&
 Json quantize(Tool& tool, Options& o) {
   check(o);
   const Paths outputs = output_paths(o);
-  const FileType type = o.output_dir.empty() ? o.output.type() : o.output.type_of(outputs[0]);
+  const FileType type = o.output_dir.empty() ? o.output.type() : o.output.type_of(outputs[0], "--extension");
   const bool with_palette = !o.output.palette_path.empty();
   const FileType palette_type = with_palette ? o.output.palette_type() : type;
   std::vector<MapFiles> maps = read_inputs(tool, o);
@@ -162,18 +167,18 @@ void add_options(CLI::App& app, Options& o) {
   o.output.add_to(app);
   app.get_option("--output")->required(false);
   app.add_option("--output-dir", o.output_dir,
-                 "Instead of -o, where each map is written under its own stem; made if missing")
+                 "Instead of -o, where each map is written under its own stem; made, with those above it, if missing")
       ->type_name("DIR");
-  app.add_option("--extension", o.extension, "Of the files in --output-dir (default exr)")
-      ->check(CLI::IsMember({"exr", "png", "ktx2", "dds"}))
-      ->type_name("exr|png|ktx2|dds");
-  auto* count = app.add_option("-n,--normals", q.normals, "Palette size, 2 to 65536 (default 256)")
-                    ->check(CLI::Range(2, kMaxPaletteSize))
+  add_choice<std::string>(app, "--extension", o.extension,
+                          {{"exr", "exr"}, {"png", "png"}, {"ktx2", "ktx2"}, {"dds", "dds"}},
+                          "Of the files in --output-dir (default exr)");
+  auto* count = app.add_option("-n,--normals", q.normals, "Palette size (default 256)")
+                    ->check(in_range(2, kMaxPaletteSize))
                     ->type_name("N");
   auto* target =
       app.add_option("--target-error", q.target_error_deg,
                      "Instead of -n: the smallest palette whose RMS angle, before dithering, is at most that")
-          ->check(CLI::Range(0.0, 180.0))
+          ->check(in_range(0.0, 180.0))
           ->type_name("DEG")
           ->excludes(count);
   const auto add_files = [&](const std::string& flag, Paths& files, const std::string& help) {
@@ -192,13 +197,15 @@ void add_options(CLI::App& app, Options& o) {
        {"subcubes", MaterialEncoding::kSubcubes}},
       "How materials are quantized: each by itself with its share of the entries (default), or "
       "with the normals in the RGB cube, as its alpha or as subcubes of at most 4");
-  app.add_option("--emit-rgb", o.rgb, "With alpha or subcubes: write that image, a PNG, for other quantizers")
+  app.add_option("--emit-rgb", o.rgb,
+                 "With --material-encoding alpha or subcubes: write that image, a PNG, for other quantizers; of "
+                 "several maps one each, by {stem} in its name")
       ->type_name("FILE");
   add_choice<Dither>(app, "--dither", q.dither,
                      {{"none", Dither::kNone}, {"diffusion", Dither::kDiffusion}, {"blue-noise", Dither::kBlueNoise}},
                      "Dithering (default none); never across a border of material or mask");
-  app.add_option("--dither-amount", q.dither_amount, "How much of the error is dithered, 0 to 1 (default 1)")
-      ->check(CLI::Range(0.0, 1.0))
+  app.add_option("--dither-amount", q.dither_amount, "How much of the error is dithered (default 1)")
+      ->check(in_range(0.0, 1.0))
       ->type_name("A");
   auto* engine = add_choice<Engine>(
       app, "--engine", q.engine,

@@ -37,14 +37,6 @@ void check(const Options& o, const CLI::App& app) {
     if (app.get_option(flag)->count()) throw usage(std::string(flag) + " does not go with --validate");
 }
 
-// A picture for eyes or linear values, and nothing else.
-FileType picture_type(const Options& o) {
-  const FileType type = o.output.type();
-  if (type != FileType::kPng && type != FileType::kExr)
-    throw Error(ErrorKind::kUnsupported, "pictures are PNG (sRGB) or EXR (linear), not " + std::string(name(type)));
-  return type;
-}
-
 Scene read_inputs(Tool& tool, const Options& o) {
   Scene scene = read_scene(tool.read(o.scene));
   if (!o.path.empty()) scene.path = render_path(o.path, ErrorKind::kUsage);
@@ -68,7 +60,7 @@ double median(std::vector<double> values) {
 }
 
 Json render(Tool& tool, const Options& o) {
-  const FileType type = picture_type(o);
+  const FileType type = o.output.type();
   const SampleType sample = o.output.sample();
   const std::vector<Aov> aovs = o.aovs.empty() ? std::vector<Aov>{} : parse_aovs(o.aovs);
   const FrameNames names(o.output.path, o.frames, aovs);
@@ -134,6 +126,7 @@ int main(int argc, char** argv) {
              "  burnish-render --validate rocks.toml --report-dir report"});
   CLI::App& app = tool.app();
   Options o;
+  o.output.as = {"a picture", {FileType::kPng, FileType::kExr}};
   app.add_option("SCENE", o.scene, "Scene in TOML (keys: samples/README.md); '-' is standard input")->required();
   o.output.add_to(app);
   app.get_option("--output")
@@ -144,7 +137,7 @@ int main(int argc, char** argv) {
   app.add_option("--path", o.path, "Path to render by, instead of the scene's: analytic, palette or palette-expanded")
       ->type_name("NAME");
   app.add_option("--frames", o.frames, "Pictures of a full turn of the lights, numbered from 0 (default 1)")
-      ->check(CLI::Range(1, kMostFrameFiles))
+      ->check(in_range(1, kMostFrameFiles))
       ->type_name("N");
   app.add_option("--aov", o.aovs,
                  "Auxiliary images beside the picture, as OUT.NAME.exr: normal, position, uv, depth, index, "
@@ -154,7 +147,7 @@ int main(int argc, char** argv) {
                "Hold the scene's path against its analytic twin; exit 10 if a tolerance is not met");
   app.add_option("--report-dir", o.report_dir,
                  "Where --validate writes PATH.png, analytic.png, difference.png, report.json and "
-                 "report.html; made if missing")
+                 "report.html; made, with those above it, if missing")
       ->type_name("DIR");
 
   return tool.run(argc, argv, [&]() -> Json {

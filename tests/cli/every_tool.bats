@@ -76,6 +76,26 @@ teardown() {
   for j in 0 1 2 8; do succeeds burnish-normals h.png -o x.png -j "$j"; done
 }
 
+@test "numbers that are none are refused in our own words, with the option and the range" {
+  make_image bumps 8 8 h.png
+  refuses 1 "--threads: expected an integer from 0 to 4096, got 'x'" burnish-normals h.png -o x.png -j x
+  refuses 1 "--threads: expected an integer from 0 to 4096, got '-1'" burnish-normals h.png -o x.png -j -1
+  refuses 1 "--mid-level: expected a number, got 'abc'" burnish-normals h.png -o x.png --mid-level abc
+  refuses 1 "--normals: expected an integer from 2 to 65536, got '1.5'" burnish-quantize h.png -o x.exr -n 1.5
+  refuses 1 "--dither-amount: expected a number from 0 to 1, got '1.01'" burnish-quantize h.png -o x.exr --dither-amount 1.01
+  refuses 1 "--target-error: expected a number from 0 to 180, got 'nan'" burnish-quantize h.png -o x.exr --target-error nan
+  refuses 1 "--format: expected uint8|uint16|half|float, got 'int7'" burnish-normals h.png -o x.png -d int7
+}
+
+@test "what the library calls by name is shown as the option that it is" {
+  make_image bumps 8 8 h.png
+  burnish-normals h.png -o n.png
+  burnish-quantize n.png -o q.exr
+  refuses 1 "error: --levels: expected 1 to 4 for 8x8 texels, got 5" burnish-mipmap q.exr --levels 5 -o m.exr
+  "$BURNISH_FIXTURE" mesh sphere 4 m.obj
+  refuses 1 "error: --cage: expected a number of at least 0, got -1" burnish-transfer m.obj m.obj -o x.png --cage -1
+}
+
 @test "inputs that cannot be read: exit 2" {
   mkdir dir.png
   refuses 2 "'missing.png'" burnish-normals missing.png -o x.png
@@ -169,6 +189,35 @@ teardown() {
   refuses 5 ".gif" burnish-normals h.png -o x.gif
   refuses 5 "'x'" burnish-normals h.png -o x
   refuses 1 "--format" burnish-normals h.png -o x.png -d int7
+}
+
+@test "a refusal of a type offers only those that the option takes" {
+  make_image bumps 8 8 h.png
+  burnish-normals h.png -o n.png
+  burnish-quantize n.png -o q.exr
+  refuses 5 "'x.gif': an image is written as PNG, TIFF, EXR, TGA or BMP, not '.gif' (--output)" burnish-normals h.png -o x.gif
+  refuses 5 "'x': an image is written as PNG, TIFF, EXR, TGA or BMP, not a file without extension (--output)" burnish-normals h.png -o x
+  indexed="an indexed normal map is written as EXR, PNG, KTX2 or DDS, not"
+  refuses 5 "'x.gif': $indexed '.gif' (--output)" burnish-quantize n.png -o x.gif
+  refuses 5 "'x_0.gif': $indexed '.gif' (--split)" burnish-mipmap q.exr --split 'x_%d.gif'
+  refuses 5 "standard output: $indexed TIFF (--output-type)" burnish-mipmap q.exr -o - --output-type tiff
+  refuses 5 "'p.gif': a palette is written as EXR or PNG, not '.gif' (--palette-output)" burnish-quantize n.png -o x.exr --palette-output p.gif
+  refuses 5 "'c.gif': an image of colours is written as PNG, not '.gif' (--emit-rgb)" \
+    burnish-quantize n.png -o x.exr --material-encoding alpha --emit-rgb c.gif
+  refuses 1 "--output-type: expected png|exr, got 'ktx2'" burnish-quantize n.png -o - --output-type ktx2
+  refuses 1 "standard output: needs --output-type png or exr" burnish-quantize n.png -o -
+  refuses 1 "standard output: needs --output-type png, exr or tiff" burnish-normals h.png -o -
+}
+
+@test "help offers standard output the types that a tool can write there, and says what cannot go there" {
+  for tool in quantize mipmap; do
+    succeeds burnish-$tool --help
+    grep -qE -- '--output-type png\|exr +.*KTX2 and DDS go to files only' out
+  done
+  succeeds burnish-render --help
+  grep -qE -- '--output-type png\|exr ' out
+  succeeds burnish-normals --help
+  grep -qE -- '--output-type png\|exr\|tiff ' out
 }
 
 @test "an output that is an input is refused, by any name" {

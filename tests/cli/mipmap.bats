@@ -155,7 +155,12 @@ PYTHON
   succeeds burnish-mipmap q.exr -o a.exr
   succeeds burnish-mipmap q.exr -o b.exr --kind indexed
   same_bytes a.exr b.exr
-  refuses 1 "--kind" burnish-mipmap q.exr -o x.exr --kind picture
+  refuses 1 "--kind: expected indexed, got 'picture'" burnish-mipmap q.exr -o x.exr --kind picture
+  for later in normal material ptm colour; do
+    refuses 5 "--kind $later is not there yet" burnish-mipmap q.exr -o x.exr --kind $later
+  done
+  succeeds burnish-mipmap --help
+  grep -q -- '--kind indexed ' out
 }
 
 @test "what cannot be written: exit 5" {

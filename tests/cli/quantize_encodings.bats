@@ -97,7 +97,7 @@ for i, texel in enumerate(rgba):
     got = [int(v) for v in words[3 * i:3 * i + 3]]
     assert got == expected, (i, texel, got, expected)
 PYTHON
-  refuses 1 "alpha or subcubes" burnish-quantize n.png --material ids.png -o y.exr --emit-rgb rgb2.png
+  refuses 1 "--emit-rgb needs --material-encoding alpha or subcubes" burnish-quantize n.png --material ids.png -o y.exr --emit-rgb rgb2.png
   refuses 5 "written as PNG" burnish-quantize n.png --material-encoding alpha -o y.exr --emit-rgb rgb.tif
   refuses 1 "is an input" burnish-quantize n.png --material-encoding alpha -o y.exr --emit-rgb n.png
   refuses 1 "twice" burnish-quantize n.png --material-encoding alpha -o y.png --emit-rgb y.png
@@ -108,7 +108,8 @@ PYTHON
   make_image colours 64 48 m.png
   succeeds burnish-quantize n.png m.png --material ids.png --material-encoding subcubes --output-dir q --emit-rgb 'rgb_{stem}.png'
   [ -s rgb_n.png ] && [ -s rgb_m.png ]
-  refuses 1 "twice" burnish-quantize n.png m.png --material-encoding alpha --output-dir two --emit-rgb one.png
+  refuses 1 "--emit-rgb: expected a name with {stem} for the images of 2 maps, got 'one.png'" \
+    burnish-quantize n.png m.png --material-encoding alpha --output-dir two --emit-rgb one.png
 }
 
 @test "pngquant, there and back" {

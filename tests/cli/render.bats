@@ -227,7 +227,9 @@ scene() {
 
 @test "pictures of other types, and outputs that are inputs" {
   scene
-  refuses 5 "not TIFF" burnish-render s.toml -o x.tif
+  refuses 5 "'x.tif': a picture is written as PNG or EXR, not TIFF (--output)" burnish-render s.toml -o x.tif
+  refuses 5 "standard output: a picture is written as PNG or EXR, not TIFF (--output-type)" \
+    burnish-render s.toml -o - --output-type tiff
   refuses 5 "not BMP" burnish-render s.toml -o x.bmp
   refuses 5 "half" burnish-render s.toml -o x.png -d half
   refuses 1 "is an input" burnish-render s.toml -o n.png

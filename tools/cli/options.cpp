@@ -1,10 +1,41 @@
 #include "cli/options.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <limits>
 
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 
 namespace burnish::cli {
+namespace {
+
+// Numbers of the option's own type, as CLI11 reads them.
+template <typename T>
+CLI::Validator range_check(T least, T most, const std::string& wanted, const std::string& shown) {
+  return CLI::Validator(
+      [=](const std::string& given) {
+        T value{};
+        if (CLI::detail::lexical_cast(given, value) && value >= least && value <= most) return std::string();
+        return "expected " + wanted + ", got '" + given + "'";
+      },
+      shown);
+}
+
+}  // namespace
+
+CLI::Validator in_range(int least, int most) {
+  const std::string from = std::to_string(least), to = std::to_string(most);
+  if (most == std::numeric_limits<int>::max())
+    return range_check(least, most, "an integer of at least " + from, from + "..");
+  return range_check(least, most, "an integer from " + from + " to " + to, from + ".." + to);
+}
+
+CLI::Validator in_range(double least, double most) {
+  const std::string from = number_text(least), to = number_text(most);
+  return range_check(least, most, "a number from " + from + " to " + to, from + ".." + to);
+}
 
 void add_normal_coding(CLI::App& app, NormalCoding& coding, bool with_channels) {
   add_choice<GreenAxis>(app, "--y", coding.green, {{"up", GreenAxis::kUp}, {"down", GreenAxis::kDown}},
@@ -23,38 +54,78 @@ void add_normal_coding(CLI::App& app, NormalCoding& coding, bool with_channels) 
 
 namespace {
 
+const WrittenAs kIndexedMap{"an indexed normal map", {FileType::kExr, FileType::kPng, FileType::kKtx2, FileType::kDds}};
+const WrittenAs kPalette{"a palette", {FileType::kExr, FileType::kPng}};
+
+// Types that standard output can be, by their words.
+const Words<FileType> kStreams{{"png", FileType::kPng}, {"exr", FileType::kExr}, {"tiff", FileType::kTiff}};
+
+bool has(const WrittenAs& as, FileType type) { return std::ranges::find(as.types, type) != as.types.end(); }
+
+std::vector<std::string> streams_of(const WrittenAs& as) {
+  std::vector<std::string> words;
+  for (const auto& [word, type] : kStreams)
+    if (has(as, type)) words.push_back(word);
+  return words;
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& between, const std::string& last) {
+  std::string all;
+  for (std::size_t i = 0; i < words.size(); i++)
+    all += (i == 0 ? "" : i + 1 == words.size() ? last : between) + words[i];
+  return all;
+}
+
 // The options of both kinds of image that are written.
-void add_output(CLI::App& app, std::string& path, std::string& format, std::string& output_type,
-                const std::string& types) {
-  app.add_option("-o,--output", path, "File to write; '-' is standard output")->required()->type_name("FILE");
-  app.add_option("-d,--format", format, "Samples: uint8, uint16, half or float; default by the file's type")
-      ->check(CLI::IsMember({"uint8", "uint16", "half", "float"}))
-      ->type_name("F");
-  app.add_option("--output-type", output_type, "Type of what goes to standard output")
-      ->check(CLI::IsMember({"png", "exr", "tiff"}))
-      ->type_name(types);
+void add_output(CLI::App& app, std::string& path, std::string& format, std::string& output_type, const WrittenAs& as) {
+  app.add_option("-o,--output", path, "File to write, " + as.list() + " by its extension; '-' is standard output")
+      ->required()
+      ->type_name("FILE");
+  add_choice<std::string>(app, "-d,--format", format,
+                          {{"uint8", "uint8"}, {"uint16", "uint16"}, {"half", "half"}, {"float", "float"}},
+                          "Samples; default by the file's type");
+  const std::string words = joined(streams_of(as), "|", "|");
+  app.add_option_function<std::string>(
+         "--output-type",
+         [&output_type, words](const std::string& given) {
+           if (std::ranges::find(kStreams, given, &std::pair<std::string, FileType>::first) == kStreams.end())
+             throw CLI::ValidationError("--output-type", "expected " + words + ", got '" + given + "'");
+           output_type = given;
+         },
+         "Type of what goes to standard output" +
+             std::string(has(as, FileType::kKtx2) ? "; KTX2 and DDS go to files only" : ""))
+      ->type_name(words);
 }
 
 // An output as messages call it.
 const std::string& shown(const std::string& path) { return path == "-" ? kStandardOutput : path; }
 
-FileType type_of_output(const std::string& path, const std::string& output_type) {
-  if (path != "-") {
-    const FileType type = file_type_of(path);
-    if (!output_type.empty() && file_type_of("x." + output_type) != type)
-      throw file_error(ErrorKind::kUsage, path, "--output-type " + output_type + " is for standard output");
-    return type;
-  }
-  if (output_type.empty()) throw file_error(ErrorKind::kUsage, kStandardOutput, "needs --output-type png, exr or tiff");
-  return file_type_of("x." + output_type);
+Error not_written(const WrittenAs& as, const std::string& path, const std::string& got, const std::string& option) {
+  return file_error(ErrorKind::kUnsupported, shown(path),
+                    as.what + " is written as " + as.list() + ", not " + got + " (" + option + ")");
 }
 
-FileType require_indexed(FileType type, const std::string& path, const IndexedOutput& output) {
-  using enum FileType;
-  if (type != kExr && type != kPng && type != kKtx2 && type != kDds)
-    throw file_error(ErrorKind::kUnsupported, shown(path),
-                     std::string("an indexed normal map is written as EXR, PNG, KTX2 or DDS, not ") + name(type));
-  if (type == kDds && output.palette_path.empty())
+FileType require(const WrittenAs& as, FileType type, const std::string& path, const std::string& option) {
+  const bool indexed_only = type == FileType::kKtx2 || type == FileType::kDds;
+  if (!has(as, type))
+    throw not_written(as, path, name(type) + std::string(indexed_only ? ", which is for indexed normal maps only" : ""),
+                      option);
+  return type;
+}
+
+FileType type_of_output(const std::string& path, const std::string& output_type, const WrittenAs& as) {
+  const auto stream = std::ranges::find(kStreams, output_type, &std::pair<std::string, FileType>::first);
+  if (path == "-" && output_type.empty())
+    throw file_error(ErrorKind::kUsage, kStandardOutput, "needs --output-type " + joined(streams_of(as), ", ", " or "));
+  if (path == "-") return require(as, stream->second, path, "--output-type");
+  const FileType type = as.type_of(path, "--output");
+  if (!output_type.empty() && stream->second != type)
+    throw file_error(ErrorKind::kUsage, path, "--output-type " + output_type + " is for standard output");
+  return type;
+}
+
+FileType require_palette_beside(FileType type, const std::string& path, const IndexedOutput& output) {
+  if (type == FileType::kDds && output.palette_path.empty())
     throw file_error(ErrorKind::kUsage, path,
                      "a DDS holds no palette: --palette-output FILE, an .exr or .png, writes it beside");
   return type;
@@ -62,29 +133,38 @@ FileType require_indexed(FileType type, const std::string& path, const IndexedOu
 
 }  // namespace
 
-void ImageOutput::add_to(CLI::App& app) { add_output(app, path, format, output_type, "png|exr|tiff"); }
+FileType WrittenAs::type_of(const std::string& path, const std::string& option) const {
+  if (const std::optional<FileType> type = find_file_type(path)) return require(*this, *type, path, option);
+  const std::string extension = std::filesystem::path(path).extension().string();
+  throw not_written(*this, path, extension.empty() ? "a file without extension" : "'" + extension + "'", option);
+}
 
-FileType ImageOutput::type() const { return type_of_output(path, output_type); }
+std::string WrittenAs::list() const {
+  std::vector<std::string> names;
+  for (FileType type : types) names.push_back(name(type));
+  return joined(names, ", ", " or ");
+}
+
+void ImageOutput::add_to(CLI::App& app) { add_output(app, path, format, output_type, as); }
+
+FileType ImageOutput::type() const { return type_of_output(path, output_type, as); }
 
 void IndexedOutput::add_to(CLI::App& app) {
-  add_output(app, path, format, output_type, "png|exr");
+  add_output(app, path, format, output_type, kIndexedMap);
   app.add_option("--palette-output", palette_path,
                  "Write the palette alone: an N x 1 image, .exr or .png. A .dds needs it, for it holds no palette")
       ->type_name("FILE");
 }
 
-FileType IndexedOutput::type() const { return require_indexed(type_of_output(path, output_type), path, *this); }
-
-FileType IndexedOutput::type_of(const std::string& map_path) const {
-  return require_indexed(file_type_of(map_path), map_path, *this);
+FileType IndexedOutput::type() const {
+  return require_palette_beside(type_of_output(path, output_type, kIndexedMap), path, *this);
 }
 
-FileType IndexedOutput::palette_type() const {
-  const FileType type = file_type_of(palette_path);
-  if (type == FileType::kExr || type == FileType::kPng) return type;
-  throw file_error(ErrorKind::kUnsupported, palette_path,
-                   std::string("a palette is written as EXR or PNG, not ") + name(type));
+FileType IndexedOutput::type_of(const std::string& map_path, const std::string& option) const {
+  return require_palette_beside(kIndexedMap.type_of(map_path, option), map_path, *this);
 }
+
+FileType IndexedOutput::palette_type() const { return kPalette.type_of(palette_path, "--palette-output"); }
 
 void IndexedOutput::require_format(FileType type, std::size_t normals) const {
   const std::string stored = type == FileType::kExr ? "uint32" : normals <= 256 ? "uint8" : "uint16";

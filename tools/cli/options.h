@@ -34,16 +34,33 @@ CLI::Option* add_choice(CLI::App& app, const std::string& flag, T& value, const 
       ->type_name(all);
 }
 
+// For check() of an option: a number in a range, both ends included.
+CLI::Validator in_range(int least, int most);
+CLI::Validator in_range(double least, double most);
+
 // --y, --encoding and --channels of a normal map that is read; the last only with_channels.
 void add_normal_coding(CLI::App& app, NormalCoding& coding, bool with_channels);
+
+// What a kind of output is written as: for its help, and for the refusal of any other type.
+struct WrittenAs {
+  std::string what;  // "a palette"
+  std::vector<FileType> types;
+
+  // By the extension; kUnsupported, with the option that names the file, where it is none of them.
+  FileType type_of(const std::string& path, const std::string& option) const;
+  // "PNG, TIFF or EXR"
+  std::string list() const;
+};
 
 // -o, -d and --output-type of an image that is written.
 struct ImageOutput {
   std::string path, output_type;
   std::string format;
+  WrittenAs as{"an image", {FileType::kPng, FileType::kTiff, FileType::kExr, FileType::kTga, FileType::kBmp}};
 
   void add_to(CLI::App& app);
-  // By --output-type for standard output, otherwise by the extension. Throws as file_type_of.
+  // By --output-type for standard output, otherwise by the extension. kUnsupported for what `as` has not, kUsage where
+  // standard output has no type, or a file another than its name says.
   FileType type() const;
   // By -d, otherwise the default of the type. Throws where the type cannot hold it.
   SampleType sample() const;
@@ -57,9 +74,9 @@ struct IndexedOutput {
 
   void add_to(CLI::App& app);
   FileType type() const;
-  // Of a further map that is written, such as one level: EXR, PNG, KTX2 or DDS; kUnsupported for any other name, kUsage
-  // for a DDS without --palette-output.
-  FileType type_of(const std::string& map_path) const;
+  // Of a further map that an option names, such as one level: EXR, PNG, KTX2 or DDS; kUnsupported for any other name,
+  // kUsage for a DDS without --palette-output.
+  FileType type_of(const std::string& map_path, const std::string& option) const;
   // EXR or PNG; kUnsupported for any other name. Only where there is a palette_path.
   FileType palette_type() const;
   // What indices are stored as follows from the palette's size and the file's type; -d may only say so. kUnsupported

@@ -17,6 +17,7 @@
 #include "burnish/palette/library_versions.h"
 #include "cli/depfile.h"
 #include "cli/exit_code.h"
+#include "cli/options.h"
 #include "cli/version.h"
 
 namespace burnish::cli {
@@ -41,6 +42,22 @@ std::string shell_quoted(const std::string& word) {
 std::string one_line(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   return text;
+}
+
+// The library calls what it was asked for by its name, "levels: expected …": shown as the option that it is here.
+std::string as_option(const CLI::App& app, const std::string& message) {
+  const std::size_t colon = message.find(':');
+  if (colon == std::string::npos || !app.get_option_no_throw("--" + message.substr(0, colon))) return message;
+  return "--" + message;
+}
+
+// What CLI11 says; of a number that is none, in the words of our own errors.
+std::string parse_message(const CLI::ParseError& error) {
+  const std::string said = error.what(), start = "Could not convert: ", between = " = ";
+  const std::size_t value = said.find(between);
+  if (!said.starts_with(start) || value == std::string::npos) return said;
+  return said.substr(start.size(), value - start.size()) + ": expected a number, got '" +
+         said.substr(value + between.size()) + "'";
 }
 
 void spool_standard_input(const std::string& path) {
@@ -71,7 +88,7 @@ Tool::Tool(const ToolText& text) : text_(text), app_(text.summary, text.name) {
   app_.add_flag("-v,--verbose", verbose_, "Adds the full command line to an error, and what the codecs say")
       ->group("Common");
   app_.add_option("-j,--threads", threads_, "Threads; 0 uses all. The output never depends on it")
-      ->check(CLI::Range(0, 4096))
+      ->check(in_range(0, 4096))
       ->type_name("N")
       ->group("Common");
   app_.add_option("--report", report_, "Write what was done and measured as JSON; '-' is standard output")
@@ -169,7 +186,7 @@ int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
     app_.exit(request, std::cout, std::cerr);
     return std::cout.flush() ? kOk : kIo;
   } catch (const CLI::ParseError& error) {
-    return fail(kUsage, std::string(error.what()) + " (" + text_.name + " --help explains)");
+    return fail(kUsage, parse_message(error) + " (" + text_.name + " --help explains)");
   }
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like any other
   for (int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGXFSZ}) std::signal(s, remove_temporaries_and_die);
@@ -192,7 +209,7 @@ int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
   } catch (const Error& error) {
     output_set_.reset();
     standard_input_.reset();
-    return fail(exit_code(error.kind()), error.what());
+    return fail(exit_code(error.kind()), as_option(app_, error.what()));
   } catch (const CLI::ParseError& error) {
     output_set_.reset();
     return fail(kUsage, error.what());

@@ -51,16 +51,21 @@ const char* name(SampleType type) {
 
 const char* name(FileType type) { return info_of(type).name; }
 
-FileType file_type_of(const std::string& file) {
+std::optional<FileType> find_file_type(const std::string& file) {
   std::string extension = std::filesystem::path(file).extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
   for (const FileTypeInfo& t : file_types())
     for (const char* e : t.extensions)
       if (extension == e) return t.type;
+  return std::nullopt;
+}
+
+FileType file_type_of(const std::string& file) {
+  if (const std::optional<FileType> type = find_file_type(file)) return *type;
   throw file_error(
       ErrorKind::kUnsupported, file,
       "expected an output named .png, .tif, .exr, .tga or .bmp (.ktx2 or .dds for indexed normal maps), got '" +
-          extension + "'");
+          std::filesystem::path(file).extension().string() + "'");
 }
 
 SampleType default_sample_type(FileType type) { return info_of(type).default_sample; }

@@ -1,6 +1,7 @@
 // The types of image files that are written, and the samples that each of them holds.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace burnish {
@@ -14,7 +15,8 @@ const char* name(SampleType type);
 // "PNG", "TGA", …
 const char* name(FileType type);
 
-// From the extension; kUnsupported where it names no type that is written here.
+// From the extension; none, or kUnsupported, where it names no type that is written here.
+std::optional<FileType> find_file_type(const std::string& name);
 FileType file_type_of(const std::string& name);
 // PNG, TGA, BMP: uint8; TIFF: uint16; EXR: half.
 SampleType default_sample_type(FileType type);
