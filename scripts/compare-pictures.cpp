@@ -8,6 +8,7 @@
 #include <exception>
 #include <string>
 
+#include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
 #include "burnish/render/metrics.h"
 
@@ -21,6 +22,11 @@ int main(int argc, char** argv) {
   try {
     const Image a = read_image(std::string(argv[1])), b = read_image(std::string(argv[3]));
     const Image depth_a = read_image(std::string(argv[2])), depth_b = read_image(std::string(argv[4]));
+    for (int i = 2; i <= 4; i++) {
+      const Image& other = i == 2 ? depth_a : i == 3 ? b : depth_b;
+      if (other.width != a.width || other.height != a.height || other.channels != (i == 3 ? a.channels : 1))
+        throw file_error(ErrorKind::kMalformed, argv[i], "expected the size of '" + std::string(argv[1]) + "'");
+    }
     ByteImage both(a.width, a.height, 1), either(a.width, a.height, 1);
     for (std::size_t i = 0; i < both.data.size(); i++) {
       const bool in_a = depth_a.data[i] >= 0, in_b = depth_b.data[i] >= 0;

@@ -40,6 +40,7 @@ bool in_upper_half(Vec3d p) { return p.y > 0.012 * std::sin(14 * std::atan2(p.z,
 
 void write(const std::string& file, const std::string& directory, int side) {
   const Mesh mesh = read_mesh(file);
+  require_uvs(mesh, "which the maps are laid out by");
   require_atlas(mesh);
   const Bounds box = bounds(mesh);
   const Vec3d sides = box.most - box.least;

@@ -2,11 +2,14 @@
 //
 //   make-vase DIRECTORY
 //
-// vase.obj             1400 triangles; u once round, v along the profile from the foot's middle over the lip into the
-// neck vase_ids.png         material of each texel: 0 clay, 1 paint vase_plain.png       displacement: none
-// vase_paint.png       displacement: thick paint
-// vase_engraved.png    displacement: the paint, and flowers and a zigzag cut in, rough inside
-// vase_engraved_ids.png  2 where something is cut in
+// clang-format off
+//   vase.obj               1428 triangles; u once round, v along the profile from the foot over the lip into the neck
+//   vase_ids.png           material of each texel: 0 clay, 1 paint
+//   vase_plain.png         displacement: none
+//   vase_paint.png         displacement: thick paint
+//   vase_engraved.png      displacement: the paint, and flowers and a zigzag cut in, rough inside
+//   vase_engraved_ids.png  the same materials, and 2 where something is cut in
+// clang-format on
 #include <algorithm>
 #include <array>
 #include <cmath>
