@@ -1,4 +1,5 @@
 // burnish-normals: displacement map to normal map.
+#include "burnish/core/counted.h"
 #include "burnish/core/error.h"
 #include "burnish/mesh/bake/baked_files.h"
 #include "burnish/mesh/bake/displaced_normals.h"
@@ -110,10 +111,14 @@ int main(int argc, char** argv) {
     for (const auto& [word, w] : kWraps) words.emplace_back(word, w);
     add_choice<std::optional<Wrap>>(app, flag, value, words, help);
   };
-  add_wrap("--wrap", wrap, "Beyond the map: fit (default) uses only texels that exist");
+  add_wrap("--wrap", wrap,
+           "Beyond the map: fit (default) uses only texels that exist. With --mesh only texels of the same chart take "
+           "part in a fit, whatever lies beyond the map");
   add_wrap("--wrap-u", wrap_u, "The same, for the left and right sides only");
   add_wrap("--wrap-v", wrap_v, "The same, for the top and bottom sides only");
-  app.add_option("--mask", mask, "Texels where it is 0 take no part and store (0,0,1)")->type_name("FILE");
+  app.add_option("--mask", mask,
+                 "Texels where it is 0 take no part and store (0,0,1); with --mesh the mesh's own normal")
+      ->type_name("FILE");
   app.add_option("--mid-level", options.mid_level,
                  "Stored value that means no displacement (default 0); without --mesh no slope depends on it")
       ->type_name("M");
@@ -148,8 +153,9 @@ int main(int argc, char** argv) {
     write_baked_normals(target, NormalSpace::kObject, map.width, map.height, map.normals);
     if (field.colour_channels_differ) warn_of_colours();
     if (map.overlapped_texels)
-      tool.warn("'" + mesh.file + "': " + std::to_string(map.overlapped_texels) +
-                " texels are covered by more than one triangle, and hold the first one's normal");
+      tool.warn("'" + mesh.file + "': " + counted(map.overlapped_texels, "texel") +
+                (map.overlapped_texels == 1 ? " is" : " are") +
+                " covered by more than one triangle; the first one's normal counts");
     return report_of(map);
   });
 }

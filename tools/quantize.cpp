@@ -154,6 +154,10 @@ Json quantize(Tool& tool, Options& o) {
     write_indexed_map(files[i], type, map);
   };
   const QuantizeResult result = quantize_normal_maps(std::move(maps), o.quantize, write, tool.progress());
+  for (std::size_t i = 0; i < outputs.size(); i++)
+    if (const auto said = result.maps[i].recorded_space; said && *said != result.palette.space)
+      tool.warn("'" + o.inputs[i] + "' says that its normals are in " + name(*said) + " space; they are recorded as " +
+                name(result.palette.space) + ", as asked for");
   if (with_palette) write_palette(palette_file, palette_type, result.palette);
   Json stats = describe(result);
   if (!o.output_dir.empty()) stats["maps"] = describe_maps(o, outputs, result);
@@ -220,7 +224,7 @@ void add_options(CLI::App& app, Options& o) {
       ->excludes(engine);
   add_choice<std::optional<NormalSpace>>(
       app, "--space", q.space, {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}},
-      "Space of the normals, recorded in the output (default tangent, or the palette's)");
+      "Space of the normals, recorded in the output (default what --palette says, or NORMAL; otherwise tangent)");
   add_normal_coding(app, q.coding, true);
 }
 

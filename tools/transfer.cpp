@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstdio>
 
+#include "burnish/core/counted.h"
 #include "burnish/core/error.h"
 #include "burnish/mesh/bake/baked_files.h"
 #include "burnish/mesh/files/mesh_io.h"
@@ -85,10 +86,12 @@ int main(int argc, char** argv) {
       ->type_name("PX");
   app.add_option(
          "--displacement", displacement.path,
-         "Write signed distances along the rays: as they are in .exr; -m to m as 0 to 1 in .png and .tif, m the "
-         "report's max_distance")
+         "Write signed distances along the rays, whatever -d says: as they are in .exr (float); -m to m as 0 to 1 in "
+         ".png and .tif (uint16), m the report's max_distance")
       ->type_name("FILE");
-  app.add_option("--mask-output", mask.path, "Write 1 where a texel found detail, 0 elsewhere")->type_name("FILE");
+  app.add_option("--mask-output", mask.path,
+                 "Write 1 where a texel found detail, 0 elsewhere, in the samples of the file's type")
+      ->type_name("FILE");
   add_normal_coding(app, coding, false);
 
   return tool.run(argc, argv, [&]() -> Json {
@@ -107,12 +110,13 @@ int main(int argc, char** argv) {
       write_mask(mask.file, mask.type, maps.coverage);
     }
     if (maps.missed_texels)
-      tool.warn(std::to_string(maps.missed_texels) + " of " + std::to_string(maps.covered_texels) +
-                " covered texels (" + percent(maps.missed_texels, maps.covered_texels) + ") found no detail of '" +
-                high + "' and keep the normal of '" + low + "'; a larger --max-distance or --cage may reach it");
+      tool.warn(std::to_string(maps.missed_texels) + " of " + counted(maps.covered_texels, "covered texel") + " (" +
+                percent(maps.missed_texels, maps.covered_texels) + ") found no detail of '" + high +
+                "' and took the normal of '" + low + "'; a larger --max-distance or --cage may reach it");
     if (maps.overlapped_texels)
-      tool.warn("'" + low + "': " + std::to_string(maps.overlapped_texels) +
-                " texels are covered by more than one triangle, and hold the first one's detail");
+      tool.warn("'" + low + "': " + counted(maps.overlapped_texels, "texel") +
+                (maps.overlapped_texels == 1 ? " is" : " are") +
+                " covered by more than one triangle; the first one's detail counts");
     return {{"covered_texels", maps.covered_texels},
             {"missed_texels", maps.missed_texels},
             {"overlapped_texels", maps.overlapped_texels},

@@ -359,6 +359,10 @@ half_square() {
   succeeds burnish-normals nan.exr -o x.exr --mesh square.obj --mask m.png --depfile x.d
   [ "$(cat x.d)" = "x.exr: nan.exr square.obj m.png" ]
   [ "$("$BURNISH_FIXTURE" texel x.exr 8 8)" = "0 0 1" ]
+  # What is excluded holds the mesh's own normal, wherever that points.
+  printf 'v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n' >wall.obj
+  succeeds burnish-normals nan.exr -o x.exr --mesh wall.obj --mask m.png
+  [ "$("$BURNISH_FIXTURE" texel x.exr 8 8)" = "0 -1 0" ]
   make_image colours 40 30 rgb.png
   call burnish-normals rgb.png -o a.exr --mesh square.obj -j 1
   [ "$status" -eq 0 ]

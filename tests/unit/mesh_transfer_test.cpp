@@ -191,9 +191,21 @@ TEST(Transfer, WhatFacesTheOtherWayServesNoOne) {
   };
   TransferOptions options = at_size(16, 16);
   options.max_distance = 1;
-  const TransferMaps maps = transfer_detail(wall(0), without_uvs(facing_down(wall(0.01))), options);
-  EXPECT_EQ(maps.missed_texels, 256u);
-  EXPECT_EQ(maps.max_distance, 0);
+  const Mesh other_way = facing_down(wall(0.01));
+  EXPECT_ERROR(transfer_detail(wall(0), without_uvs(other_way), options), ErrorKind::kMalformed,
+               "expected a surface within 1 of ");
+  options.cage = 0.5;
+  EXPECT_ERROR(transfer_detail(wall(0), without_uvs(other_way), options), ErrorKind::kMalformed,
+               "expected a surface within 1 (outwards 0.5) of ");
+
+  // A strip that does serve: the lowest four rows of texels, and no more by its nearest points.
+  Mesh strip = wall(0.02);
+  for (Vec3d& p : strip.positions) p.z *= 0.25;
+  options.samples = 1, options.max_distance = options.cage = 0.03;
+  const TransferMaps maps = transfer_detail(wall(0), without_uvs(joined(other_way, strip)), options);
+  EXPECT_EQ(maps.missed_texels, 12u * 16);
+  EXPECT_NEAR(maps.max_distance, 0.02, 1e-6);
+  for (int i = 0; i < 256; i++) EXPECT_EQ(maps.coverage.data[i], i < 12 * 16 ? kMissed : kFound) << i;
   for (const Vec3f& n : maps.normals) EXPECT_EQ(n, (Vec3f{1, 0, 0}));
 }
 

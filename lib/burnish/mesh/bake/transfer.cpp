@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 #include "burnish/core/parallel.h"
 #include "burnish/mesh/bake/gutter.h"
 #include "burnish/mesh/bake/transfer_search.h"
@@ -36,6 +37,15 @@ TransferReach reach_of(const TransferOptions& options, const Mesh& detailed) {
   return reach;
 }
 
+Error nothing_found(const Mesh& coarse, const Mesh& detailed, const TransferReach& reach) {
+  const auto outwards = reach.cage == reach.max_distance ? "" : " (outwards " + number_text(float(reach.cage)) + ")";
+  return file_error(ErrorKind::kMalformed, detailed.name,
+                    "expected a surface within " + number_text(float(reach.max_distance)) + outwards + " of '" +
+                        coarse.name +
+                        "' that faces the same way, got none at any texel: are both at the same place "
+                        "and scale? (--max-distance and --cage say how far)");
+}
+
 Mesh with_smooth_normals(Mesh mesh) {
   mesh.normals.clear(), mesh.triangle_normals.clear();
   add_smooth_normals(mesh);
@@ -59,12 +69,15 @@ class Transfer {
         detailed_(detailed),
         options_(options),
         smooth_(with_smooth_normals(coarse)),
-        search_(detailed, reach_of(options, detailed)),
+        reach_(reach_of(options, detailed)),
+        search_(detailed, reach_),
         raster_(coarse, options.width * options.samples, options.height * options.samples),
         charts_(uv_charts(coarse)),
         maps_(maps) {
     if (options.space == NormalSpace::kTangent) frames_ = tangent_frames(coarse);
   }
+
+  const TransferReach& reach() const { return reach_; }
 
   RowStats row(int y) const {
     const std::size_t n = options_.samples, width = n * options_.width;
@@ -109,7 +122,7 @@ class Transfer {
         if (!detail) continue;
         normal += in_space(place, normal_at(detailed_, detail->point));
         displacement += dot(detail->offset, direction);
-        stats.max_distance = std::max(stats.max_distance, length(detail->offset));
+        stats.max_distance = std::max(stats.max_distance, detail->distance);
         found++;
       }
     const std::size_t at = std::size_t(y) * options_.width + x;
@@ -137,6 +150,7 @@ class Transfer {
   const Mesh &coarse_, &detailed_;
   const TransferOptions& options_;
   const Mesh smooth_;
+  const TransferReach reach_;
   const DetailSearch search_;
   const UvRaster raster_;
   const std::vector<std::uint32_t> charts_;
@@ -178,6 +192,7 @@ TransferMaps transfer_detail(Mesh coarse, Mesh detailed, const TransferOptions& 
     throw file_error(ErrorKind::kMalformed, coarse.name,
                      "expected triangles with area in the map, got none that covers a texel of " +
                          std::to_string(maps.width) + "x" + std::to_string(maps.height));
+  if (stats.missed == stats.covered) throw nothing_found(coarse, detailed, transfer.reach());
   const std::vector<std::uint32_t> sources = gutter_sources(maps.coverage, options.padding);
   fill_gutter(sources, maps.normals);
   fill_gutter(sources, maps.displacement.data);

@@ -49,11 +49,11 @@ struct TransferMaps {
   std::size_t covered_texels = 0;
   std::size_t missed_texels = 0;      // covered, and found nothing: they hold the coarse mesh's own normal
   std::size_t overlapped_texels = 0;  // with a place that several triangles cover
-  double max_distance = 0;            // between a place and the point that was found for it
+  double max_distance = 0;            // between a place and the point that was found for it; never beyond the options'
 };
 
-// kMalformed where `coarse` has no texture coordinates, has some outside [0,1], or covers no texel; kUsage for sizes,
-// samples, padding or distances out of range.
+// kMalformed where `coarse` has no texture coordinates, has some outside [0,1], or covers no texel, or where no texel
+// finds anything; kUsage for sizes, samples, padding or distances out of range.
 TransferMaps transfer_detail(Mesh coarse, Mesh detailed, const TransferOptions& options, const Progress& progress = {});
 
 }  // namespace burnish

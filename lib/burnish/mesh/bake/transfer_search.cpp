@@ -14,15 +14,26 @@ std::optional<RayHit> DetailSearch::hit(Vec3d position, Vec3d ray, double most, 
   return hit;
 }
 
+std::optional<Detail> DetailSearch::within(double most, Vec3d position, const MeshPoint& point) const {
+  const Vec3d offset = position_at(mesh_, point) - position;
+  const double distance = length(offset);
+  if (float(distance) > float(most) && distance > touch_) return {};
+  return Detail{point, offset, std::min(distance, most)};
+}
+
 std::optional<Detail> DetailSearch::find(Vec3d position, Vec3d direction) const {
-  std::optional<RayHit> best = hit(position, direction, reach_.cage, Facing::kBack);
-  const double nearer = best ? std::min(best->t, reach_.max_distance) : reach_.max_distance;
-  if (const auto inwards = hit(position, -direction, nearer, Facing::kFront)) best = inwards;
-  std::optional<MeshPoint> point;
-  if (best) point = best->point;
-  else if (const auto nearest = rays_.nearest(position, reach_.max_distance, direction)) point = nearest->point;
-  if (!point) return {};
-  return Detail{*point, position_at(mesh_, *point) - position};
+  std::optional<Detail> best;
+  double nearer = reach_.max_distance;
+  if (const auto outwards = hit(position, direction, reach_.cage, Facing::kBack)) {
+    best = within(reach_.cage, position, outwards->point);
+    if (best) nearer = std::min(nearer, outwards->t);
+  }
+  if (const auto inwards = hit(position, -direction, nearer, Facing::kFront))
+    if (const auto detail = within(reach_.max_distance, position, inwards->point)) best = detail;
+  if (best) return best;
+  if (const auto nearest = rays_.nearest(position, reach_.max_distance, direction))
+    return within(reach_.max_distance, position, nearest->point);
+  return {};
 }
 
 }  // namespace burnish

@@ -18,8 +18,9 @@ struct TransferReach {
 };
 
 struct Detail {
-  MeshPoint point;  // of the detailed mesh
-  Vec3d offset;     // from the place of the search to it
+  MeshPoint point;      // of the detailed mesh
+  Vec3d offset;         // from the place of the search to it
+  double distance = 0;  // the length of that, never beyond the reach
 };
 
 class DetailSearch {
@@ -33,6 +34,10 @@ class DetailSearch {
  private:
   // Its distance is negative by rounding where the surfaces touch.
   std::optional<RayHit> hit(Vec3d position, Vec3d ray, double most, Facing facing) const;
+
+  // None where the point lies farther off than `most`, as single precision tells, in which rays are traced: rounding
+  // leaves no holes in a surface at the limit.
+  std::optional<Detail> within(double most, Vec3d position, const MeshPoint& point) const;
 
   const Mesh& mesh_;
   MeshRays rays_;
