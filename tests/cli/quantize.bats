@@ -71,7 +71,7 @@ inputs() {
 @test "a target that an engine misses: exit 10" {
   inputs
   burnish-quantize n.png --engine imagequant -n 16 -o probe.exr 2>/dev/null || skip "built without libimagequant"
-  refuses 10 "target error" burnish-quantize n.png --engine imagequant --target-error 0.01 -o x.exr
+  refuses 10 "--target-error: expected an RMS angle of at most 0.01 degrees, got " burnish-quantize n.png --engine imagequant --target-error 0.01 -o x.exr
 }
 
 @test "--material: an interval each, in ascending order of id" {
@@ -90,7 +90,8 @@ for m in stats["materials"]:
 assert next == stats["normals"] == 40, stats
 PYTHON
   done
-  refuses 3 "4 materials" burnish-quantize n.png --material ids.png -n 3 -o y.exr
+  refuses 3 "--normals: expected at least one for each of the 4 materials in 'ids.png', got 3" \
+    burnish-quantize n.png --material ids.png -n 3 -o y.exr
 }
 
 @test "materials of another size, depth or channel count" {

@@ -43,7 +43,8 @@ less() { awk "BEGIN { exit !($1 < $2) }" || { echo "$1 is not below $2"; return 
     refuses 5 "imagequant" burnish-quantize n.png --engine imagequant --material-encoding alpha -n 257 -o y.exr
   fi
   refuses 1 "expected split|alpha|subcubes" burnish-quantize n.png --material-encoding hue -o y.exr
-  refuses 3 "4 materials" burnish-quantize n.png --material ids.png -n 3 --material-encoding alpha -o y.exr
+  refuses 3 "--normals: expected at least one for each of the 4 materials in 'ids.png', got 3" \
+    burnish-quantize n.png --material ids.png -n 3 --material-encoding alpha -o y.exr
 }
 
 @test "without materials there is one, opaque" {
@@ -59,7 +60,12 @@ less() { awk "BEGIN { exit !($1 < $2) }" || { echo "$1 is not below $2"; return 
 @test "subcubes hold at most 4 materials" {
   make_image normals 64 48 n.png
   make_image bumps 64 48 many.png
-  refuses 5 "at most 4 materials" burnish-quantize n.png --material many.png --material-encoding subcubes -o x.exr
+  refuses 5 "--material-encoding: subcubes holds at most 4 materials, not 195 as in 'many.png'" \
+    burnish-quantize n.png --material many.png --material-encoding subcubes -o x.exr
+  make_image ids 64 48 ids.png
+  make_image colours 64 48 m.png
+  refuses 5 "as in 'ids.png' and the others" burnish-quantize n.png m.png --material ids.png --material many.png \
+    --material-encoding subcubes --output-dir q
   succeeds burnish-quantize n.png --material many.png --material-encoding alpha -o x.exr
   [ "$("$BURNISH_FIXTURE" strays x.exr many.png)" = 0 ]
 }
@@ -154,6 +160,15 @@ PYTHON
   succeeds burnish-quantize n.png --material ids.png -n 64 -o own.exr
   refuses 3 "expected 4 channels" burnish-quantize n.png --material ids.png --material-encoding alpha --palette own.png -o x.exr
   refuses 3 "expected 4 channels" burnish-quantize n.png --material ids.png --material-encoding alpha --palette own.exr -o x.exr
+  succeeds burnish-quantize n.png --material ids.png -n 64 -o own.ktx2 --palette-output p.exr
+  succeeds burnish-quantize n.png --material ids.png -n 64 -o own.dds --palette-output p.png
+  for encoding in alpha subcubes; do
+    for palette in own.png own.exr own.ktx2 own.dds p.exr p.png; do
+      refuses 3 "channels of a quantizer's colours, got a palette of normals" \
+        burnish-quantize n.png --material ids.png --material-encoding $encoding --palette $palette -o x.exr
+      grep -q "'$palette': .* leave --material-encoding out" err
+    done
+  done
   make_image rgba 400 400 noise.png
   refuses 3 "65536" burnish-quantize n.png --material ids.png --material-encoding alpha --palette noise.png -o x.exr
   make_image normals 8 8 deep.png uint16

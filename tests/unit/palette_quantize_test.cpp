@@ -314,12 +314,14 @@ TEST(PaletteQuantize, OptionsOutOfRange) {
   for (const double amount : {-0.1, 1.1, std::nan("")}) {
     QuantizeOptions options;
     options.dither_amount = amount;
-    EXPECT_ERROR(quantize_normal_map({dir / "n.png"}, options), ErrorKind::kUsage, "dither amount");
+    EXPECT_ERROR(quantize_normal_map({dir / "n.png"}, options), ErrorKind::kUsage,
+                 "dither-amount: expected 0 to 1, got ");
   }
   for (const double target : {-1.0, 181.0, std::nan("")}) {
     QuantizeOptions options;
     options.target_error_deg = target;
-    EXPECT_ERROR(quantize_normal_map({dir / "n.png"}, options), ErrorKind::kUsage, "target error");
+    EXPECT_ERROR(quantize_normal_map({dir / "n.png"}, options), ErrorKind::kUsage,
+                 "target-error: expected degrees from 0 to 180, got ");
   }
 }
 

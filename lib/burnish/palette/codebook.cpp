@@ -85,8 +85,8 @@ int Codebook::size() const {
 
 void require_an_entry_each(std::size_t groups, int n) {
   if (groups > std::size_t(n))
-    throw Error(ErrorKind::kMalformed, "expected at least as many normals as materials, got " + std::to_string(n) +
-                                           " normals for " + std::to_string(groups) + " materials");
+    throw Error(ErrorKind::kMalformed, "normals: expected at least one for each of " + std::to_string(groups) +
+                                           " materials, got " + std::to_string(n));
 }
 
 namespace {

@@ -80,6 +80,20 @@ IndexedMap read_indexed_map(const FileRef& file, GreenAxis green, const FileRef&
   return *std::move(map);
 }
 
+bool has_own_palette(const FileRef& file) {
+  switch (signature(file)) {
+    case Signature::kPng:
+      return detail::read_palette_png(file).has_value();
+    case Signature::kExr:
+      return detail::is_indexed_exr(file) || detail::read_palette_exr(file);
+    case Signature::kKtx2:
+    case Signature::kDds:
+      return true;
+    default:
+      return false;
+  }
+}
+
 Palette read_palette(const FileRef& file, GreenAxis green) {
   const Signature s = signature(file);
   if (std::optional<IndexedMap> map = read_any(file, s, green)) {

@@ -52,6 +52,10 @@ bool is_indexed_map(const FileRef& file);
 // interval is wrong, a level has the wrong size or a normal no length.
 IndexedMap read_indexed_map(const FileRef& file, GreenAxis green = GreenAxis::kUp, const FileRef& palette = {});
 
+// Whether a file holds normals for entries: what write_indexed_map and write_palette write, not a PNG with the colours
+// of another program. Errors of files that cannot be read.
+bool has_own_palette(const FileRef& file);
+
 // The palette alone: of an indexed map, of a file written by write_palette, or of any image N×1 of normals stored as
 // its type says (one material; `green` tells which way its y points).
 Palette read_palette(const FileRef& file, GreenAxis green = GreenAxis::kUp);

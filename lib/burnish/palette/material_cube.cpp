@@ -9,7 +9,6 @@
 namespace burnish {
 namespace {
 
-constexpr int kMostSubcubes = 4;
 constexpr std::array<std::array<int, 3>, kMostSubcubes> kBits{{{0, 0, 0}, {0, 1, 1}, {1, 0, 1}, {1, 1, 0}}};
 
 float square(float v) { return v * v; }
@@ -19,7 +18,7 @@ float square(float v) { return v * v; }
 MaterialCube::MaterialCube(MaterialEncoding encoding, int materials) : encoding_(encoding), materials_(materials) {
   if (encoding == MaterialEncoding::kSubcubes && materials > kMostSubcubes)
     throw Error(ErrorKind::kUnsupported,
-                "the encoding subcubes holds at most 4 materials, not " + std::to_string(materials));
+                "material-encoding: subcubes holds at most 4 materials, not " + std::to_string(materials));
 }
 
 float MaterialCube::alpha(int material) const {

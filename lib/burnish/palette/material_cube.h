@@ -26,6 +26,8 @@ namespace burnish {
 // kSplit: none of these; each material has a share of the entries, which are fitted on the sphere.
 enum class MaterialEncoding { kSplit, kAlpha, kSubcubes };
 
+constexpr int kMostSubcubes = 4;
+
 // Red, green, blue and alpha, each 0 … 255, not necessarily whole; alpha 255 where the colour has none.
 using Colour = std::array<float, 4>;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 #include "burnish/palette/files/cube_image.h"
 #include "burnish/palette/fit/cube_fit.h"
 #include "burnish/palette/fit/fit_palette.h"
@@ -19,13 +20,14 @@ void check(const QuantizeOptions& o, const std::vector<MapFiles>& maps) {
   if (o.normals < 2 || o.normals > kMaxPaletteSize)
     usage("normals: expected 2 to 65536, got " + std::to_string(o.normals));
   if (o.target_error_deg && !(*o.target_error_deg >= 0 && *o.target_error_deg <= 180))
-    usage("target error: expected degrees from 0 to 180");
-  if (!(o.dither_amount >= 0 && o.dither_amount <= 1)) usage("dither amount: expected 0 to 1");
+    usage("target-error: expected degrees from 0 to 180, got " + number_text(*o.target_error_deg));
+  if (!(o.dither_amount >= 0 && o.dither_amount <= 1))
+    usage("dither-amount: expected 0 to 1, got " + number_text(o.dither_amount));
   if (o.encoding == MaterialEncoding::kSplit && std::ranges::any_of(maps, [](auto& m) { return !m.rgb.empty(); }))
     usage("an image of colours needs a material encoding: alpha or subcubes");
   if (o.engine == Engine::kImagequant && o.palette.empty() && !o.target_error_deg && o.normals > kImagequantMost)
     throw Error(ErrorKind::kUnsupported,
-                "the engine imagequant holds at most 256 normals, not " + std::to_string(o.normals));
+                "engine: imagequant holds at most 256 normals, not " + std::to_string(o.normals));
 }
 
 // A given palette that needs no histogram to be understood.
@@ -62,6 +64,20 @@ void require_counting_texels(const MapSet& maps, const Histogram& histogram) {
           "expected texels that are not 0, got none: it masks every texel of '" + maps.files(i).normals.name + "'");
 }
 
+// An entry for each material, where a palette is fitted, and a cube that holds them all.
+void require_room_for(const QuantizeOptions& o, const MapSet& maps, int materials) {
+  const std::string& first = maps.files(0).material.name;
+  std::string files = "'" + first + "'";
+  for (std::size_t i = 1; i < maps.size(); i++)
+    if (maps.files(i).material.name != first) files = "'" + first + "' and the others";
+  if (o.palette.empty() && !o.target_error_deg && o.normals < materials)
+    throw Error(ErrorKind::kMalformed, "normals: expected at least one for each of the " + std::to_string(materials) +
+                                           " materials in " + files + ", got " + std::to_string(o.normals));
+  if (o.encoding == MaterialEncoding::kSubcubes && materials > kMostSubcubes)
+    throw Error(ErrorKind::kUnsupported, "material-encoding: subcubes holds at most 4 materials, not " +
+                                             std::to_string(materials) + " as in " + files);
+}
+
 Palette make_palette(const QuantizeOptions& o, NormalSpace space, const Histogram& histogram,
                      const Progress& progress) {
   const FitOptions fit{o.engine, o.encoding, space};
@@ -93,6 +109,7 @@ QuantizeResult quantize_normal_maps(std::vector<MapFiles> files, const QuantizeO
   MapSet maps(std::move(files), options.coding);
   const Histogram histogram = count_normals(maps, part_of(progress, 0, 0.3));
   require_counting_texels(maps, histogram);
+  require_room_for(options, maps, int(histogram.material.size()));
 
   IndexedMap map;
   map.palette = given ? std::move(*given) : make_palette(options, space, histogram, part_of(progress, 0.3, 0.8));

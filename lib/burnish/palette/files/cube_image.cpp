@@ -54,12 +54,15 @@ void write_cube_image(const FileRef& file, OpenMap& map, const MaterialCube& cub
 }
 
 std::vector<Colour> read_cube_colours(const FileRef& file, const MaterialCube& cube) {
+  const auto refuse = [&](const std::string& got) {
+    return file_error(ErrorKind::kMalformed, file.name,
+                      "expected " + std::to_string(cube.channels()) + " channels of a quantizer's colours, got " + got);
+  };
+  if (has_own_palette(file))
+    throw refuse("a palette of normals, as burnish writes it: leave --material-encoding out, which it does not need");
   ImageReader reader(file);
   const int channels = reader.channels();
-  if (channels < cube.channels())
-    throw file_error(ErrorKind::kMalformed, file.name,
-                     "expected " + std::to_string(cube.channels()) + " channels of a quantizer's colours, got " +
-                         std::to_string(channels));
+  if (channels < cube.channels()) throw refuse(std::to_string(channels));
   if (!reader.has_exact_samples() || reader.sample_type() != SampleType::kUint8)
     throw file_error(ErrorKind::kMalformed, file.name,
                      std::string("expected colours of uint8, got ") + name(reader.sample_type()));

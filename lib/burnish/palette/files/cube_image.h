@@ -15,8 +15,8 @@ namespace burnish {
 void write_cube_image(const FileRef& file, OpenMap& map, const MaterialCube& cube, const std::vector<int>& materials);
 
 // The distinct colours of an image whose texels a quantizer has made few: an indexed PNG (its entries that occur), or
-// any other file of 8 bits. Ascending. kMalformed for other samples, fewer channels than the cube has, or more than
-// 65536 colours.
+// any other file of 8 bits. Ascending. kMalformed for other samples, fewer channels than the cube has, more than
+// 65536 colours, and a palette of normals (has_own_palette).
 std::vector<Colour> read_cube_colours(const FileRef& file, const MaterialCube& cube);
 
 }  // namespace burnish

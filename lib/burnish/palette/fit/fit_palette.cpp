@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 #include "burnish/palette/codebook.h"
 #include "burnish/palette/fit/cube_fit.h"
 #include "burnish/palette/fit/imagequant_engine.h"
@@ -70,8 +71,9 @@ Palette fit_palette_to_error(const Histogram& histogram, const FitOptions& optio
   while (good.rms_deg > target_deg) {
     if (good.size >= most)
       throw Error(ErrorKind::kThreshold,
-                  "target error: expected an RMS angle of at most " + std::to_string(target_deg) + " degrees, got " +
-                      std::to_string(good.rms_deg) + " with " + std::to_string(most) + " normals");
+                  "target-error: expected an RMS angle of at most " + number_text(target_deg) + " degrees, got " +
+                      number_text(good.rms_deg) + " with " + std::to_string(most) + " normals, which is the most " +
+                      (options.engine == Engine::kImagequant ? "for imagequant" : "there can be"));
     fails = good.size;
     good = measure(std::clamp(int(foretold(good) * 1.02) + 1, fails + 1, most));
   }

@@ -25,7 +25,7 @@ struct Destroy {
 // n is at least 2, where the library starts.
 std::vector<liq_color> quantize(const std::vector<liq_histogram_entry>& colours, int n) {
   if (n > kImagequantMost)
-    throw Error(ErrorKind::kUnsupported, "the engine imagequant holds at most 256 normals, not " + std::to_string(n));
+    throw Error(ErrorKind::kUnsupported, "engine: imagequant holds at most 256 normals, not " + std::to_string(n));
   constexpr double kLinearGamma = 0.57;  // of the library's own making: its internal gamma cancels it
   const auto check = [](liq_error e) {
     if (e != LIQ_OK) throw Error(ErrorKind::kInternal, "libimagequant: error " + std::to_string(e));
@@ -84,7 +84,7 @@ std::vector<Colour> fit_imagequant(const std::vector<WeightedColour>& points, in
 namespace {
 
 [[noreturn]] void not_linked() {
-  throw Error(ErrorKind::kUnsupported, "the engine imagequant is not part of this build (BURNISH_WITH_IMAGEQUANT)");
+  throw Error(ErrorKind::kUnsupported, "engine: imagequant is not part of this build (BURNISH_WITH_IMAGEQUANT)");
 }
 
 }  // namespace
