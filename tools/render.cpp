@@ -50,6 +50,11 @@ std::vector<ObjectAssets> load(Tool& tool, Scene& scene) {
     if (assets[i].invalid_texels)
       tool.warn("'" + scene.objects[i].normal_map + "': " + std::to_string(assets[i].invalid_texels) +
                 " texels hold no direction and were taken for (0,0,1)");
+  for (const Material& material : scene.materials)
+    for (const LightingModel& term : material.terms)
+      if (const auto* environment = std::get_if<Environment>(&term); environment && environment->panorama->integer())
+        tool.warn("'" + environment->file +
+                  "' holds integers, which are taken as linear light; a picture in sRGB must be made linear first");
   return assets;
 }
 

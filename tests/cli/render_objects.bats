@@ -11,7 +11,7 @@ setup_file() {
   printf '%s\n' 'v -.5 -.5 0' 'v .5 -.5 0' 'v .5 .5 0' 'v -.5 .5 0' 'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' \
     'f 1/1 2/2 3/3 4/4' >square.obj
   "$BURNISH_FIXTURE" make normals 16 16 n.png
-  "$BURNISH_FIXTURE" make normals 16 8 sky.png
+  "$BURNISH_FIXTURE" make normals 16 8 sky.exr half
   "$BURNISH_FIXTURE" make normals 8 8 base.png
   burnish-quantize n.png -n 9 --space object -o q.exr
   burnish-mipmap q.exr -o q.dds --palette-output p.exr
@@ -33,7 +33,7 @@ scene() {
 }
 
 @test "every lighting model by the colour table equals its twin" {
-  for model in lambert phong npr-double cartoon chrome 'environment"\nmap = "sky.png'; do
+  for model in lambert phong npr-double cartoon chrome 'environment"\nmap = "sky.exr'; do
     scene "model = \"$model\""
     succeeds burnish-render --validate s.toml --report-dir v --report r.json
     fits_schema render r.json
@@ -42,11 +42,21 @@ scene() {
 }
 
 @test "a sum of models, and what it reads" {
-  scene '[[material.term]]\nmodel = "phong"\n[[material.term]]\nmodel = "environment"\nmap = "sky.png"\nturn_deg = 30' \
+  scene '[[material.term]]\nmodel = "phong"\n[[material.term]]\nmodel = "environment"\nmap = "sky.exr"\nturn_deg = 30' \
     'base_color_map = "base.png"'
   succeeds burnish-render --validate s.toml --report-dir v
   succeeds burnish-render s.toml -o x.png --depfile x.d
-  grep -q '^x.png: s.toml square.obj q.exr base.png sky.png$' x.d
+  grep -q '^x.png: s.toml square.obj q.exr base.png sky.exr$' x.d
+}
+
+@test "a panorama of integers is taken as linear light, with a warning" {
+  scene 'model = "environment"\nmap = "sky.png"'
+  make_image normals 16 8 sky.png uint16
+  call burnish-render s.toml -o x.png
+  [ "$status" -eq 0 ]
+  grep -q "^burnish-render: warning: 'sky.png' holds integers, which are taken as linear light" err
+  [ "$(wc -l <err)" -eq 1 ]
+  succeeds burnish-render s.toml -o x.png -q
 }
 
 @test "each way of blending equals its twin and differs from the others" {
@@ -82,6 +92,14 @@ scene() {
   same_bytes exr.png dds.png
   sed -i '/^palette/d' s.toml
   refuses 3 "'object[0].palette': expected the file of the palette" burnish-render s.toml -o x.png
+  mv q.dds q.bin
+  sed -i 's/q.dds/q.bin/' s.toml
+  refuses 3 "'s.toml': palette: expected the file of the palette of 'q.bin'" burnish-render s.toml -o x.png
+  burnish-mipmap q.exr -o q.ktx2
+  for own in q.exr q.ktx2; do
+    scene 'model = "phong"' "indexed_map = \"$own\"" 'palette = "p.exr"'
+    refuses 3 "'s.toml': palette: '$own' holds its own palette" burnish-render s.toml -o x.png
+  done
 }
 
 @test "the same bytes for any number of threads" {

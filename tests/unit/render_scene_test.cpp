@@ -120,6 +120,7 @@ TEST(RenderScene, RefusalsNameFileLineAndKey) {
   refused("samples = 'four'\n" + kObject, "line 1: 'samples': expected an integer from 1 to 64, got 'four'");
   refused("samples = 0\n" + kObject, "'samples': expected an integer from 1 to 64, got 0");
   refused("samples = 2.5\n" + kObject, "'samples': expected an integer from 1 to 64, got 2.5");
+  refused("samples = 2.0\n" + kObject, "'samples': expected an integer from 1 to 64, got 2.0");
   refused("ambient = [0, 1]\n" + kObject,
           "'ambient': expected an array of 3, each a number of at least 0, got an array of 2");
   refused("ambient = [0, 1, -1]\n" + kObject, "'ambient': expected an array of 3, each a number of at least 0, got -1");
@@ -142,6 +143,7 @@ TEST(RenderScene, RefusalsNameFileLineAndKey) {
   refused("", "'object': expected at least one [[object]]");
   refused("[[object]]\nsurface = 'mesh'\n", "line 1: 'object[0].mesh': expected the mesh's file name");
   refused(kObject + "scale = [1, 0, 1]\n", "'object[0].scale': expected an array of 3, each a number above 0, got 0");
+  refused("[camera]\ntype = 'perspective'\nfov_deg = 180.1\n" + kObject, "above 0 and below 180, got 180.1");
   refused(kObject + "base_color = [1, 1, 1]\nblend = 'material'\n", "'object[0].blend': expected exact or approximate");
   refused(kObject + "[[material]]\n[[material.term]]\nmodel = 'phnog'\n",
           "'material[0].term[0].model': expected lambert|");

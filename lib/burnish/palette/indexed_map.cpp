@@ -71,10 +71,10 @@ IndexedMap read_indexed_map(const FileRef& file, GreenAxis green, const FileRef&
   }
   const bool own = !map->palette.normals.empty();
   if (own && !palette.empty())
-    throw file_error(ErrorKind::kUsage, file.name, "holds its own palette, and cannot be read with another");
+    throw Error(ErrorKind::kUsage, "palette: '" + file.name + "' holds its own palette, and takes no other");
   if (!own && palette.empty())
-    throw file_error(ErrorKind::kUsage, file.name,
-                     "holds indices only: the palette beside it must be named (--palette)");
+    throw Error(ErrorKind::kUsage, "palette: expected the file of the palette of '" + file.name +
+                                       "', which holds indices only, got nothing");
   if (!own) map->palette = read_palette(palette, green);
   detail::validate(*map, file.name);
   return *std::move(map);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 #include "burnish/mesh/files/mesh_io.h"
 #include "burnish/render/picture.h"
 
@@ -18,6 +19,16 @@ std::optional<NormalSpace> read_normal_map(const Object& object, ObjectAssets& a
   reader.read_rows(0, assets.height, assets.normals.data());
   assets.invalid_texels = reader.invalid_texels();
   return recorded_space(reader.image());
+}
+
+// What would be an option elsewhere is a key of the scene here.
+IndexedMap read_map(const Scene& scene, const Object& object) {
+  try {
+    return read_indexed_map(object.indexed_map, object.coding.green, object.palette);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::kUsage) throw;
+    throw file_error(ErrorKind::kMalformed, scene.name, error.what());
+  }
 }
 
 void dequantize(ObjectAssets& assets) {
@@ -66,7 +77,7 @@ Image read_base_colour(const BaseColour& base) {
     for (int c = 0; c < 3; c++) {
       const float s = stored.data[i * stored.channels + (stored.channels >= 3 ? c : 0)];
       if (!(s >= 0 && std::isfinite(s)))
-        throw file_error(ErrorKind::kMalformed, base.map, "expected colours of at least 0, got " + std::to_string(s));
+        throw file_error(ErrorKind::kMalformed, base.map, "expected colours of at least 0, got " + number_text(s));
       out.data[i * 3 + c] = srgb ? float(linear_from_srgb(s)) : s;
     }
   return out;
@@ -108,8 +119,7 @@ std::vector<ObjectAssets> load_assets(Scene& scene) {
     ObjectAssets assets;
     if (!object.mesh.empty()) assets.mesh = read_surface(object);
     if (!object.base.map.empty()) assets.base_colour = read_base_colour(object.base);
-    if (!object.indexed_map.empty())
-      assets.indexed = read_indexed_map(object.indexed_map, object.coding.green, object.palette);
+    if (!object.indexed_map.empty()) assets.indexed = read_map(scene, object);
     std::optional<NormalSpace> recorded;
     if (!object.normal_map.empty()) recorded = read_normal_map(object, assets);
     else if (assets.indexed) dequantize(assets);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 
 namespace burnish {
 
@@ -28,13 +29,20 @@ namespace {
 
 int line_of(const toml::node& node) { return int(node.source().begin.line); }
 
+// 2.0, which is no integer
+std::string float_text(double value) {
+  const std::string text = number_text(value);
+  return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+}
+
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "a table";
   std::ostringstream out;
   if (node.is_array()) out << "an array of " << node.as_array()->size();
   else
     node.visit([&](const auto& value) {
-      if constexpr (toml::is_value<decltype(value)>) out << value;
+      if constexpr (toml::is_floating_point<decltype(value)>) out << float_text(*value);
+      else if constexpr (toml::is_value<decltype(value)>) out << value;
     });
   return out.str();
 }

@@ -10,14 +10,18 @@
 namespace burnish {
 
 std::shared_ptr<const Panorama> Panorama::read(const FileRef& file) {
-  Image image = read_image(file);
+  ImageReader reader(file);
+  Image image(reader.width(), reader.height(), reader.channels());
+  reader.read_rows(0, image.height, image.data.data());
   if (image.channels == 2)
     throw file_error(ErrorKind::kMalformed, file.name, "expected a panorama of 1, 3 or 4 channels, got 2");
   // Below 0 there may be rings that a resampling filter left: they are taken as they are.
   const auto bad = std::ranges::find_if(image.data, [](float x) { return !std::isfinite(x); });
   if (bad != image.data.end())
     throw file_error(ErrorKind::kMalformed, file.name, "expected finite light, got " + std::to_string(*bad));
-  return std::make_shared<const Panorama>(std::move(image));
+  Panorama panorama(std::move(image));
+  panorama.integer_ = reader.integer();
+  return std::make_shared<const Panorama>(std::move(panorama));
 }
 
 Vec3d Panorama::at(Vec3d d) const {

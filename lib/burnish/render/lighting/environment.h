@@ -18,10 +18,14 @@ class Panorama {
   static std::shared_ptr<const Panorama> read(const FileRef& file);
   explicit Panorama(Image image) : image_(std::move(image)) {}
 
+  // Whether its file holds integers: seldom linear light, which they are taken for.
+  bool integer() const { return integer_; }
+
   Vec3d at(Vec3d direction) const;
 
  private:
   Image image_;  // linear RGB, or one channel for all three
+  bool integer_ = false;
 };
 
 struct Environment {
