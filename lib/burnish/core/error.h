@@ -2,6 +2,8 @@
 //
 // A message names the file, what was expected and what was found, on one line:
 //   'm.png': expected 1 channel, got 3
+// Where no file is at fault it begins with the name of what was asked for, which a tool shows as its option:
+//   levels: expected 1 to 7 for 64x48 texels, got 9
 // Callers above the library turn the kind into an exit code; nothing in the library knows of those.
 #pragma once
 
