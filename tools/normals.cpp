@@ -39,11 +39,10 @@ struct MeshOptions {
                        "normals; --height is in its units")
             ->type_name("FILE")
             ->excludes(size);
-    app.add_option("--space", space, "Space of the normals: object with --mesh, tangent without (the defaults)")
-        ->check(CLI::IsMember({"tangent", "object"}))
-        ->type_name("tangent|object");
+    add_choice<std::string>(app, "--space", space, {{"tangent", "tangent"}, {"object", "object"}},
+                            "Space of the normals: object with --mesh, tangent without (the defaults)");
     app.add_option("--padding", padding, "With --mesh: gutter round each chart, in texels (default 16)")
-        ->check(CLI::Range(0, 65536))
+        ->check(in_range(0, 65536))
         ->type_name("PX")
         ->needs(mesh);
   }
@@ -99,9 +98,8 @@ int main(int argc, char** argv) {
                              "--size", [&](const std::string& t) { parse_size(t, options); },
                              "Extent of the whole map, as 2m or 2mx1m (default: one unit a texel)")
                           ->type_name("W[xH]");
-  app.add_option("--neighbors", options.neighbors, "Texels that the plane is fitted to: 4, 8, 24, 48 or 80 (default 4)")
-      ->check(CLI::IsMember({4, 8, 24, 48, 80}))
-      ->type_name("Q");
+  add_choice<int>(app, "--neighbors", options.neighbors, {{"4", 4}, {"8", 8}, {"24", 24}, {"48", 48}, {"80", 80}},
+                  "Texels that the plane is fitted to (default 4)");
   add_choice<FitWeights>(app, "--weights", options.weights,
                          {{"uniform", FitWeights::kUniform}, {"gaussian", FitWeights::kGaussian}},
                          "Weights of the fit (default uniform; gaussian: sigma is half the radius)");

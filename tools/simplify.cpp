@@ -6,6 +6,7 @@
 #include "burnish/mesh/atlas/atlas.h"
 #include "burnish/mesh/files/mesh_io.h"
 #include "burnish/mesh/simplify/decimate.h"
+#include "cli/options.h"
 #include "cli/tool.h"
 
 using namespace burnish;
@@ -38,12 +39,12 @@ int main(int argc, char** argv) {
       ->required()
       ->type_name("LOW");
   app.add_option("--faces", faces, "At most so many triangles (default: all are kept)")
-      ->check(CLI::Range(4, std::numeric_limits<int>::max()))
+      ->check(in_range(4, std::numeric_limits<int>::max()))
       ->type_name("N");
   CLI::Option* atlas =
       app.add_option("--atlas", atlas_size,
                      "Add texture coordinates where MESH has none: charts at least two texels apart at PXxPX texels")
-          ->check(CLI::Range(16, 131072))
+          ->check(in_range(16, 131072))
           ->type_name("PX");
   app.add_flag("--new-atlas", new_atlas,
                "With --atlas: give MESH new texture coordinates though it has some, such as ones beyond [0,1] or that "

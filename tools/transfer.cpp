@@ -78,11 +78,11 @@ int main(int argc, char** argv) {
       app, "--rays", options.rays, {{"smooth", RayDirection::kSmooth}, {"halfway", RayDirection::kHalfway}},
       "Search along LOW's smooth normals (default), or halfway to each face's own: less parallax, steps at edges");
   app.add_option("--samples", options.samples, "NxN samples a texel, averaged (default 2)")
-      ->check(CLI::Range(1, 16))
+      ->check(in_range(1, 16))
       ->type_name("N");
   app.add_option("--padding", options.padding,
                  "Gutter round each chart, in texels (default 16: four mip levels find no seam)")
-      ->check(CLI::Range(0, 65536))
+      ->check(in_range(0, 65536))
       ->type_name("PX");
   app.add_option(
          "--displacement", displacement.path,
