@@ -10,12 +10,7 @@
 namespace burnish {
 namespace {
 
-using testing::angle_deg;
-using testing::bumpy_normals;
-using testing::Random;
-using testing::ScratchDir;
-using testing::write_ids;
-using testing::write_normals;
+using namespace testing;
 
 constexpr int kW = 80, kH = 60;
 

@@ -17,22 +17,10 @@ constexpr std::uint32_t kTexture2d = 3;               // of D3D10_RESOURCE_DIMEN
 constexpr std::uint32_t kHeaderBytes = 124, kPixelFormatBytes = 32, kFourCC = 0x4;
 constexpr std::size_t kTexelsAt = 148;
 
-// Offsets from the start of the file.
-enum Field : std::size_t {
-  kSize = 4,
-  kHeight = 12,
-  kWidth = 16,
-  kLevels = 28,
-  kPixelFormatSize = 76,
-  kPixelFormatFlags = 80,
-  kPixelFormatFourCC = 84,
-  kPixelFormatBits = 88,
-  kCaps2 = 112,
-  kFormat = 128,
-  kDimension = 132,
-  kMiscFlags = 136,
-  kArraySize = 140
-};
+// Offsets of fields from the start of the file: those of DDS_HEADER, its pixel format, DDS_HEADER_DXT10.
+constexpr std::size_t kSize = 4, kHeight = 12, kWidth = 16, kLevels = 28, kCaps2 = 112;
+constexpr std::size_t kPixelFormatSize = 76, kPixelFormatFlags = 80, kPixelFormatFourCC = 84, kPixelFormatBits = 88;
+constexpr std::size_t kFormat = 128, kDimension = 132, kMiscFlags = 136, kArraySize = 140;
 
 struct Header {
   std::uint32_t width, height, levels, format;
@@ -49,24 +37,21 @@ std::string legacy_format_name(std::string_view head) {
 
 // kUnsupported for other formats and shapes.
 Header read_header(ContainerReader& in, const FileRef& file) {
-  const auto refuse = [&](const std::string& expected, const std::string& got) {
-    return file_error(ErrorKind::kUnsupported, file.name, "expected " + expected + ", got " + got);
-  };
   constexpr const char* kIndices = "indices as DXGI_FORMAT_R8_UINT or DXGI_FORMAT_R16_UINT";
   std::string head = in.read(0, 4 + kHeaderBytes, "the header of a DDS");
   if (u32_at(head, kSize) != kHeaderBytes || u32_at(head, kPixelFormatSize) != kPixelFormatBytes)
     throw file_error(ErrorKind::kMalformed, file.name, "expected the header of a DDS, got a damaged one");
   if (!(u32_at(head, kPixelFormatFlags) & kFourCC) || head.substr(kPixelFormatFourCC, 4) != "DX10")
-    throw refuse(kIndices, legacy_format_name(head));
+    throw unsupported(file, kIndices, legacy_format_name(head));
   head = in.read(0, kTexelsAt, "the header of a DDS");
   const std::uint32_t format = u32_at(head, kFormat);
-  if (format != kR8Uint && format != kR16Uint) throw refuse(kIndices, dxgi_format_name(format));
+  if (format != kR8Uint && format != kR16Uint) throw unsupported(file, kIndices, dxgi_format_name(format));
   constexpr std::uint32_t kCubeOrVolume = 0x200 | 0x200000, kCube = 0x4;
   if (u32_at(head, kDimension) != kTexture2d || u32_at(head, kCaps2) & kCubeOrVolume ||
       u32_at(head, kMiscFlags) & kCube)
-    throw refuse("a flat texture", "a cube, volume or line");
+    throw unsupported(file, "a flat texture", "a cube, volume or line");
   if (const std::uint32_t n = u32_at(head, kArraySize); n != 1)
-    throw refuse("one texture", "an array of " + std::to_string(n));
+    throw unsupported(file, "one texture", "an array of " + std::to_string(n));
   return {u32_at(head, kWidth), u32_at(head, kHeight), std::max(u32_at(head, kLevels), 1u), format};
 }
 

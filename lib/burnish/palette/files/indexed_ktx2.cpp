@@ -116,18 +116,16 @@ Header read_header(ContainerReader& in) {
 }
 
 void require_indices(const Header& h, const FileRef& file) {
-  const auto refuse = [&](const std::string& expected, const std::string& got) {
-    return file_error(ErrorKind::kUnsupported, file.name, "expected " + expected + ", got " + got);
-  };
   if (h.format != kR8Uint && h.format != kR16Uint)
-    throw refuse("indices as VK_FORMAT_R8_UINT or VK_FORMAT_R16_UINT", vulkan_format_name(h.format));
+    throw unsupported(file, "indices as VK_FORMAT_R8_UINT or VK_FORMAT_R16_UINT", vulkan_format_name(h.format));
   if (h.supercompression != 0)
-    throw refuse("no supercompression", h.supercompression == 2   ? "Zstandard"
-                                        : h.supercompression == 3 ? "ZLIB"
-                                                                  : "scheme " + std::to_string(h.supercompression));
-  if (h.depth != 0) throw refuse("a flat texture", "a volume");
-  if (h.layers != 0) throw refuse("one texture", "an array of " + std::to_string(h.layers));
-  if (h.faces != 1) throw refuse("one face", std::to_string(h.faces));
+    throw unsupported(file, "no supercompression",
+                      h.supercompression == 2   ? "Zstandard"
+                      : h.supercompression == 3 ? "ZLIB"
+                                                : "scheme " + std::to_string(h.supercompression));
+  if (h.depth != 0) throw unsupported(file, "a flat texture", "a volume");
+  if (h.layers != 0) throw unsupported(file, "one texture", "an array of " + std::to_string(h.layers));
+  if (h.faces != 1) throw unsupported(file, "one face", std::to_string(h.faces));
 }
 
 }  // namespace

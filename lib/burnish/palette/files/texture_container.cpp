@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "burnish/core/error.h"
 #include "burnish/core/mip.h"
 
 namespace burnish::detail {
@@ -89,6 +88,10 @@ IndexImage ContainerReader::read_texels(std::uint64_t offset, int width, int hei
       level.row(y)[x] = std::uint16_t(number_at(row, std::size_t(x) * bytes_per_index, bytes_per_index));
   }
   return level;
+}
+
+Error unsupported(const FileRef& file, const std::string& expected, const std::string& got) {
+  return file_error(ErrorKind::kUnsupported, file.name, "expected " + expected + ", got " + got);
 }
 
 void require_sane_levels(const FileRef& file, std::uint32_t width, std::uint32_t height, std::uint32_t levels) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "burnish/core/checked_file.h"
+#include "burnish/core/error.h"
 #include "burnish/core/image.h"
 #include "burnish/core/image_io.h"
 
@@ -49,6 +50,9 @@ class ContainerReader {
   std::uint64_t size_ = 0;
   std::string name_;
 };
+
+// kUnsupported: 'file': expected …, got …
+Error unsupported(const FileRef& file, const std::string& expected, const std::string& got);
 
 // Sizes as a header gives them. kMalformed unless both sides are 1 … 2³¹ − 1 and there are no more levels than lead to
 // one texel.
