@@ -6,9 +6,6 @@
 // integer hash, so that the mesh is the same everywhere.
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <map>
 #include <string>
 #include <utility>
@@ -18,6 +15,7 @@
 #include "burnish/mesh/mesh.h"
 #include "burnish/mesh/weld.h"
 #include "noise.h"
+#include "program.h"
 
 using namespace burnish;
 
@@ -120,18 +118,11 @@ void displace(Mesh& mesh) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int levels = argc > 3 ? std::atoi(argv[3]) : 3;
-  if (argc < 3 || argc > 4 || levels < 0 || levels > 6) {
-    std::fprintf(stderr, "usage: make-detailed-mesh IN OUT.obj [LEVELS]\n");
-    return 1;
-  }
-  try {
-    Mesh mesh = plain(read_mesh(std::string(argv[1])));
+  return run_program("make-detailed-mesh IN OUT.obj [LEVELS]", argc, argv, [](const Arguments& a) {
+    const int levels = integer_argument(a, 2, 3, 0, 6);
+    Mesh mesh = plain(read_mesh(a[0]));
     for (int i = 0; i < levels; i++) mesh = subdivided(mesh);
     displace(mesh);
-    write_mesh(std::string(argv[2]), MeshFileType::kObj, mesh);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "make-detailed-mesh: error: %s\n", error.what());
-    return 2;
-  }
+    write_mesh(a[1], MeshFileType::kObj, mesh);
+  });
 }

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <exception>
 #include <map>
 #include <string>
 #include <utility>
@@ -15,6 +13,7 @@
 
 #include "burnish/mesh/files/mesh_io.h"
 #include "burnish/mesh/mesh.h"
+#include "program.h"
 
 using namespace burnish;
 
@@ -140,14 +139,6 @@ class Polygonizer {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: make-rabbit OUT.obj\n");
-    return 1;
-  }
-  try {
-    write_mesh(std::string(argv[1]), MeshFileType::kObj, Polygonizer().run());
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "make-rabbit: error: %s\n", error.what());
-    return 2;
-  }
+  return run_program("make-rabbit OUT.obj", argc, argv,
+                     [](const Arguments& a) { write_mesh(a[0], MeshFileType::kObj, Polygonizer().run()); });
 }

@@ -4,9 +4,6 @@
 //
 // Everything comes from an integer hash, so that the maps are the same everywhere.
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -14,6 +11,7 @@
 #include "burnish/core/parallel.h"
 #include "burnish/core/vec3.h"
 #include "noise.h"
+#include "program.h"
 
 using namespace burnish;
 
@@ -125,17 +123,9 @@ Image make_panorama(int w, int h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int side = argc > 2 ? std::atoi(argv[2]) : 1024;
-  if (argc < 2 || argc > 3 || side < 1 || side > 32768) {
-    std::fprintf(stderr, "usage: make-samples DIRECTORY [SIDE]\n");
-    return 1;
-  }
-  try {
-    const std::string directory = argv[1];
-    write_image(directory + "/stones.png", FileType::kPng, SampleType::kUint16, make_stones(side));
-    write_image(directory + "/panorama.exr", FileType::kExr, SampleType::kHalf, make_panorama(1024, 512));
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "make-samples: error: %s\n", error.what());
-    return 2;
-  }
+  return run_program("make-samples DIRECTORY [SIDE]", argc, argv, [](const Arguments& a) {
+    const int side = integer_argument(a, 1, 1024, 1, 32768);
+    write_image(a[0] + "/stones.png", FileType::kPng, SampleType::kUint16, make_stones(side));
+    write_image(a[0] + "/panorama.exr", FileType::kExr, SampleType::kHalf, make_panorama(1024, 512));
+  });
 }

@@ -6,9 +6,6 @@
 // wood.png     colour of wood that the object is carved from, sRGB
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -19,6 +16,7 @@
 #include "burnish/mesh/files/mesh_io.h"
 #include "burnish/mesh/mesh.h"
 #include "noise.h"
+#include "program.h"
 
 using namespace burnish;
 
@@ -73,15 +71,6 @@ void write(const std::string& file, const std::string& directory, int side) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int side = argc > 3 ? std::atoi(argv[3]) : 1024;
-  if (argc < 3 || argc > 4 || side < 1 || side > 32768) {
-    std::fprintf(stderr, "usage: make-surface-maps MESH.obj DIRECTORY [SIDE]\n");
-    return 1;
-  }
-  try {
-    write(argv[1], argv[2], side);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "make-surface-maps: error: %s\n", error.what());
-    return 2;
-  }
+  return run_program("make-surface-maps MESH.obj DIRECTORY [SIDE]", argc, argv,
+                     [](const Arguments& a) { write(a[0], a[1], integer_argument(a, 2, 1024, 1, 32768)); });
 }

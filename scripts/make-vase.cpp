@@ -13,8 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -24,6 +22,7 @@
 #include "burnish/mesh/files/mesh_io.h"
 #include "burnish/mesh/mesh.h"
 #include "noise.h"
+#include "program.h"
 #include "vase_painting.h"
 
 using namespace burnish;
@@ -172,14 +171,5 @@ void write(const std::string& directory) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: make-vase DIRECTORY\n");
-    return 1;
-  }
-  try {
-    write(argv[1]);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "make-vase: error: %s\n", error.what());
-    return 2;
-  }
+  return run_program("make-vase DIRECTORY", argc, argv, [](const Arguments& a) { write(a[0]); });
 }
