@@ -37,9 +37,17 @@ void check(const Options& o, const CLI::App& app) {
     if (app.get_option(flag)->count()) throw usage(std::string(flag) + " does not go with --validate");
 }
 
+RenderPath path_of(const Options& o) {
+  try {
+    return render_path(o.path, ErrorKind::kUsage);
+  } catch (const Error& error) {
+    throw Error(error.kind(), std::string("--path: ") + error.what());
+  }
+}
+
 Scene read_inputs(Tool& tool, const Options& o) {
   Scene scene = read_scene(tool.read(o.scene));
-  if (!o.path.empty()) scene.path = render_path(o.path, ErrorKind::kUsage);
+  if (!o.path.empty()) scene.path = path_of(o);
   for (const std::string& file : scene.files()) tool.also_read(file);
   return scene;
 }

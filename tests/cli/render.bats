@@ -80,7 +80,7 @@ scene() {
   fits_schema render r.json
   refuses 1 "%d or %04d" burnish-render s.toml --frames 2 -o g.png
   refuses 1 "" burnish-render s.toml --frames 0 -o g_%d.png
-  refuses 1 "at most 4000 files" burnish-render s.toml --frames 4000 --aov uv -o g_%d.png
+  refuses 1 "--frames: expected at most 4000 files in one run, got 8000" burnish-render s.toml --frames 4000 --aov uv -o g_%d.png
 }
 
 @test "auxiliary images beside the picture" {
@@ -94,7 +94,7 @@ scene() {
   fits_schema render r.json
   refuses 1 "got 'albedo'" burnish-render s.toml --aov albedo -o y.png
   refuses 1 "twice" burnish-render s.toml --aov uv,uv -o y.png
-  refuses 1 "standard output takes one picture" burnish-render s.toml --aov uv -o - --output-type png
+  refuses 1 "--output: standard output takes one picture" burnish-render s.toml --aov uv -o - --output-type png
 }
 
 @test "standard output, and a scene on standard input" {
@@ -211,8 +211,8 @@ scene() {
 
 @test "paths that do not fit: unknown, not there yet, without their map" {
   scene
-  refuses 1 "expected a path, analytic, palette or palette-expanded, got 'palete'" burnish-render s.toml --path palete -o x.png
-  refuses 5 "path 'ward' is not there yet" burnish-render s.toml --path ward -o x.png
+  refuses 1 "--path: expected a path, analytic, palette or palette-expanded, got 'palete'" burnish-render s.toml --path palete -o x.png
+  refuses 5 "--path: path 'ward' is not there yet" burnish-render s.toml --path ward -o x.png
   sed -i '1i path = "ptm"' s.toml
   refuses 5 "path 'ptm' is not there yet" burnish-render s.toml -o x.png
   scene

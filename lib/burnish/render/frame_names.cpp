@@ -35,9 +35,10 @@ FrameNames::FrameNames(const std::string& pattern, int frames, const std::vector
       throw Error(ErrorKind::kUsage, "'" + pattern + "': expected %d or %04d for the numbers of several frames");
   }
   if (pattern == "-" && (frames > 1 || !aovs.empty()))
-    throw Error(ErrorKind::kUsage, "standard output takes one picture; name a file");
+    throw Error(ErrorKind::kUsage, "output: standard output takes one picture; name a file");
   if (std::size_t(frames) * (1 + aovs.size()) > kMostFrameFiles)
-    throw Error(ErrorKind::kUsage, "expected at most " + std::to_string(kMostFrameFiles) + " files in one run, got " +
+    throw Error(ErrorKind::kUsage, "frames: expected at most " + std::to_string(kMostFrameFiles) +
+                                       " files in one run, got " +
                                        std::to_string(std::size_t(frames) * (1 + aovs.size())));
 }
 
