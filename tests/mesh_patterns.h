@@ -90,15 +90,29 @@ inline Mesh named_mesh(const std::string& name, int n) {
       {"split-torus", [](int k) { return split_uvs(grid_mesh(2 * k, k, torus, identity_uv)); }},
       {"split-mirrored-sphere", [](int k) { return split_uvs(grid_mesh(2 * k, k, unit_sphere, mirrored_uv)); }},
       {"sheet", [](int k) { return grid_mesh(k, k, bumpy_sheet, turned_uv); }},
+      {"square-sheet", [](int k) { return grid_mesh(k, k, bumpy_sheet, identity_uv); }},
       {"mirrored-sheet", [](int k) { return grid_mesh(k, k, bumpy_sheet, mirrored_uv); }},
   };
-  return table.at(name)(n);
+  Mesh mesh = table.at(name)(n);
+  mesh.name = name;
+  return mesh;
 }
 
 // The same without texture coordinates.
 inline Mesh without_uvs(Mesh mesh) {
   mesh.uvs.clear(), mesh.triangle_uvs.clear();
   return mesh;
+}
+
+// Both in one mesh, as positions and triangles.
+inline Mesh joined(const Mesh& a, const Mesh& b) {
+  Mesh out;
+  for (const Mesh* part : {&a, &b}) {
+    const std::uint32_t first = std::uint32_t(out.positions.size());
+    out.positions.insert(out.positions.end(), part->positions.begin(), part->positions.end());
+    for (const Corners& t : part->triangles) out.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return out;
 }
 
 }  // namespace burnish

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
+
+#include "expect_error.h"
 
 namespace burnish {
 namespace {
@@ -93,6 +96,24 @@ TEST(MeshRays, TheNearestPointMayHaveToFaceADirection) {
     EXPECT_LT(dot(mesh.perpendicular(opposite->point.triangle), direction), 0);
     EXPECT_EQ(any->distance, std::min(facing->distance, opposite->distance));
   }
+}
+
+TEST(MeshRays, WhatHasNoAreaIsNeitherMetNorNear) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0.5, 0, 1}, {1e30, 1e30, 0}};
+  mesh.triangles = {{3, 4, 5}, {3, 3, 4}, {0, 1, 2}};  // the last position is of none
+  const MeshRays rays(mesh);
+  EXPECT_FALSE(rays.first_hit({0.5, -1, 1}, {0, 1, 0}, 0, 10));
+  for (const Vec3d from : {Vec3d{0.25, 0, 1}, Vec3d{1e30, 0, 0}}) {
+    const auto near = rays.nearest(from, std::numeric_limits<double>::max());
+    ASSERT_TRUE(near);
+    EXPECT_EQ(near->point.triangle, 2u);
+  }
+  mesh.triangles.pop_back();
+  EXPECT_FALSE(MeshRays(mesh).nearest({0.25, 0, 1}, 10));
+  mesh.triangles.push_back({0, 1, 6});
+  mesh.name = "far.obj";
+  EXPECT_ERROR(MeshRays{mesh}, ErrorKind::kMalformed, "'far.obj': expected coordinates below 1e18");
 }
 
 TEST(MeshRays, NoRayPassesBetweenTrianglesThatShareAnEdge) {

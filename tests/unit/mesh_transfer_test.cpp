@@ -25,22 +25,8 @@ Mesh square(double z, int n = 1) {
       identity_uv);
 }
 
-Mesh without_normals_and_uvs(Mesh mesh) {
-  mesh = without_uvs(mesh);
-  mesh.normals.clear(), mesh.triangle_normals.clear();
-  return mesh;
-}
-
 Mesh facing_down(Mesh mesh) {
   for (Corners& c : mesh.triangles) std::swap(c[1], c[2]);
-  return mesh;
-}
-
-Mesh joined(Mesh mesh, const Mesh& other) {
-  mesh = without_normals_and_uvs(mesh);
-  const auto base = std::uint32_t(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
-  for (const Corners& c : other.triangles) mesh.triangles.push_back({c[0] + base, c[1] + base, c[2] + base});
   return mesh;
 }
 

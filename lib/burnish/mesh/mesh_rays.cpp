@@ -46,7 +46,21 @@ MeshPoint nearest_of_triangle(const Mesh& mesh, std::uint32_t triangle, Vec3d p)
   return {triangle, {va / sum, vb / sum, vc / sum}};
 }
 
+// The largest where that is less.
+float float_of(double x) { return float(std::min(x, double(std::numeric_limits<float>::max()))); }
+
 }  // namespace
+
+void require_traceable(const Mesh& mesh) {
+  constexpr double kMost = 1e18;  // squares stay within float
+  const Vec3d centre = bounds(mesh).centre();
+  for (const Corners& triangle : mesh.triangles)
+    for (const std::uint32_t i : triangle) {
+      const Vec3d p = mesh.positions[i] - centre;
+      if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < kMost))
+        throw file_error(ErrorKind::kMalformed, mesh.name, "expected coordinates below 1e18, got larger ones");
+    }
+}
 
 struct MeshRays::Impl {
   // One thread and one instruction set: the tree, and so which of two touching triangles is met, is the same
@@ -57,6 +71,7 @@ struct MeshRays::Impl {
   Vec3d centre;
 
   explicit Impl(const Mesh& source) : centre(bounds(source).centre()) {
+    require_traceable(source);
     mesh.positions = source.positions, mesh.triangles = source.triangles;
     const Owned<RTCGeometry, rtcReleaseGeometry> geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -64,14 +79,14 @@ struct MeshRays::Impl {
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Corners), mesh.triangles.size()));
     if (!vertices || !indices) throw Error(ErrorKind::kInternal, "no memory for the mesh's triangles");
-    constexpr double kMost = 1e18;  // squares stay within float
-    for (const Vec3d& p : mesh.positions)
-      for (double x : {p.x - centre.x, p.y - centre.y, p.z - centre.z}) {
-        if (!(std::abs(x) < kMost))
-          throw file_error(ErrorKind::kMalformed, source.name, "expected coordinates below 1e18, got larger ones");
-        *vertices++ = float(x);
+    std::fill_n(vertices, 3 * mesh.positions.size(), 0.f);
+    for (const Corners& t : mesh.triangles) {
+      for (const std::uint32_t i : t) {
+        const Vec3d p = mesh.positions[i] - centre;
+        vertices[3 * i] = float(p.x), vertices[3 * i + 1] = float(p.y), vertices[3 * i + 2] = float(p.z);
       }
-    for (const Corners& t : mesh.triangles) indices = std::ranges::copy(t, indices).out;
+      indices = std::ranges::copy(t, indices).out;
+    }
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
@@ -118,7 +133,7 @@ std::optional<RayHit> MeshRays::first_hit(Vec3d origin, Vec3d direction, double 
   RTCRayHit query{};
   query.ray.org_x = float(o.x), query.ray.org_y = float(o.y), query.ray.org_z = float(o.z);
   query.ray.dir_x = float(direction.x), query.ray.dir_y = float(direction.y), query.ray.dir_z = float(direction.z);
-  query.ray.tnear = float(least), query.ray.tfar = float(std::min(most, double(std::numeric_limits<float>::max())));
+  query.ray.tnear = float(least), query.ray.tfar = float_of(most);
   query.ray.mask = ~0u;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(impl_->scene, &context, &query);
@@ -137,12 +152,13 @@ std::optional<MeshRays::Nearest> MeshRays::nearest(Vec3d from, double most, Vec3
   rtcInitPointQueryContext(&context);
   const Vec3d p = from - impl_->centre;
   constexpr double kMargin = 1 + 1e-5;  // single precision must not shut out what is as near
-  RTCPointQuery query{float(p.x), float(p.y), float(p.z), 0, float(std::min(most * kMargin, 1e18))};
+  RTCPointQuery query{float(p.x), float(p.y), float(p.z), 0, float_of(most * kMargin)};
   rtcPointQuery(
       impl_->scene, &query, &context,
       [](RTCPointQueryFunctionArguments* args) {
         auto& s = *static_cast<Search*>(args->userPtr);
-        if (s.direction != Vec3d{} && !(dot(s.mesh.perpendicular(args->primID), s.direction) > 0)) return false;
+        const Vec3d outwards = s.mesh.perpendicular(args->primID);
+        if (outwards == Vec3d{} || (s.direction != Vec3d{} && !(dot(outwards, s.direction) > 0))) return false;
         const MeshPoint point = nearest_of_triangle(s.mesh, args->primID, s.from);
         const double distance = length(position_at(s.mesh, point) - s.from);
         const bool nearer =

@@ -6,6 +6,7 @@
 #include <queue>
 #include <tuple>
 
+#include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
 #include "burnish/mesh/mesh_rays.h"
 #include "burnish/mesh/simplify/edge_collapses.h"
@@ -105,9 +106,15 @@ Mesh decimated(const Mesh& mesh, double scale, std::size_t faces, const Progress
 DecimateStats measure(const Mesh& original, const Mesh& result) {
   DecimateStats stats{.faces = result.triangles.size(), .vertices = result.positions.size()};
   const MeshRays rays(result);
-  std::vector<double> distance(original.positions.size());
+  std::vector<std::uint32_t> vertices;
+  for (const Corners& triangle : original.triangles) vertices.insert(vertices.end(), triangle.begin(), triangle.end());
+  std::ranges::sort(vertices);
+  vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+  std::vector<double> distance(vertices.size());
   parallel_for(distance.size(), [&](std::size_t i) {
-    distance[i] = rays.nearest(original.positions[i], std::numeric_limits<double>::max())->distance;
+    const auto near = rays.nearest(original.positions[vertices[i]], std::numeric_limits<double>::max());
+    if (!near) throw file_error(ErrorKind::kMalformed, original.name, "expected triangles with area, got none");
+    distance[i] = near->distance;
   });
   double squares = 0;
   for (const double d : distance) squares += d * d, stats.max_distance = std::max(stats.max_distance, d);
@@ -118,6 +125,7 @@ DecimateStats measure(const Mesh& original, const Mesh& result) {
 }  // namespace
 
 Mesh decimate(const Mesh& mesh, std::size_t faces, DecimateStats* stats, const Progress& progress) {
+  require_traceable(mesh);
   Mesh out;
   if (faces >= mesh.triangles.size()) {
     out = mesh;

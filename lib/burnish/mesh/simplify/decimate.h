@@ -10,7 +10,8 @@
 // A mesh with texture coordinates is simplified in five dimensions, position and texture together (Garland and
 // Heckbert, "Simplifying surfaces with color and texture", 1998), so that the texture keeps its place too. Seams do not
 // tear: a vertex on one collapses only along it, its two sides at once, onto the seam's next vertex; where seams meet
-// or end, vertices stay. No triangle turns over in the texture. Such a mesh is not moved once more.
+// or end, vertices stay. No triangle turns over in the texture. Vertices on a border collapse along it only, and no
+// texture coordinates leave the rectangle that the original's span. Such a mesh is not moved once more.
 //
 // Vertices where more than two triangles share an edge, or neighbours turn opposite ways, stay where they are.
 // Collapses run on one thread, in an order that depends on the mesh alone.
@@ -27,9 +28,10 @@ struct DecimateStats {
   double max_distance = 0, rms_distance = 0;
 };
 
-// At most `faces` triangles: as many, or one fewer where the surface is closed and the number odd; more where nothing
-// else can be taken away. Normals are smooth ones, made anew. A mesh that has no more triangles comes back as it is,
-// with smooth normals where it has none.
+// Aims at `faces` triangles: as many, or one fewer where the surface is closed and the number odd; more where nothing
+// else can be taken away. Normals are smooth ones, made anew, whatever normals the mesh has. A mesh that has no more
+// triangles comes back as it is, with smooth normals where it has none. Positions that no triangle has count nowhere.
+// kMalformed where the mesh is too large for single precision (require_traceable) or no triangle has area.
 Mesh decimate(const Mesh& mesh, std::size_t faces, DecimateStats* stats = nullptr, const Progress& progress = {});
 
 }  // namespace burnish

@@ -64,7 +64,9 @@ class Fit {
     const MeshRays rays(mesh_);
     pulls_.assign(to_.positions.size(), {});
     parallel_for(pulls_.size(), [&](std::size_t i) {
+      if (!(areas_[i] > 0)) return;  // no triangle has it
       const auto near = rays.nearest(to_.positions[i], std::numeric_limits<double>::max());
+      if (!near) return;  // no triangle has area
       const Corners& t = mesh_.triangles[near->point.triangle];
       pulls_[i] = {areas_[i],
                    {same_[t[0]], same_[t[1]], same_[t[2]]},
