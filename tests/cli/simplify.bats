@@ -79,6 +79,17 @@ PYTHON
   same_bytes low.obj same.obj
 }
 
+@test "a sheet over the whole map stays in it, whole, for burnish-transfer" {
+  mesh square-sheet 30 sheet.obj
+  for n in 300 50; do
+    succeeds burnish-simplify sheet.obj -o low.obj --faces $n
+    [ "$(faces low.obj)" = $n ]
+    succeeds burnish-transfer low.obj sheet.obj -o n.png --size 64 --report t.json
+    [ "$(value covered_texels t.json)" = $((64 * 64)) ]
+    [ "$(value overlapped_texels t.json)" = 0 ]
+  done
+}
+
 @test "--new-atlas: other texture coordinates for a mesh that has some, such as ones beyond [0,1]" {
   mesh torus 24 torus.obj
   bare torus 24 bare.obj

@@ -37,7 +37,12 @@ double texture_area(const TriangleN<3>&) { return 0; }
 
 template <int N>
 EdgeCollapses<N>::EdgeCollapses(const Mesh& mesh, double texture_scale)
-    : surface_(mesh, texture_scale), errors_(surface_.wedge_count()) {
+    : surface_(mesh, texture_scale), errors_(surface_.wedge_count()), least_(surface_.wedge(0)), most_(least_) {
+  for (std::uint32_t w = 0; w < surface_.wedge_count(); w++)
+    for (int i = 3; i < N; i++) {
+      least_[i] = std::min(least_[i], surface_.wedge(w)[i]);
+      most_[i] = std::max(most_[i], surface_.wedge(w)[i]);
+    }
   add_planes();
   add_lines();
 }
@@ -88,8 +93,15 @@ auto EdgeCollapses<N>::onto(std::uint32_t from, std::uint32_t to) const -> std::
   return c;
 }
 
-// Either vertex onto the other; and where no seam and no lock holds that, both to where the sum of their errors is
-// least. The cheapest first.
+template <int N>
+bool EdgeCollapses<N>::is_in_texture(const Point& p) const {
+  for (int i = 3; i < N; i++)
+    if (p[i] < least_[i] || p[i] > most_[i]) return false;
+  return true;
+}
+
+// Either vertex onto the other; and where no seam, no border of the texture and no lock holds that, both to where the
+// sum of their errors is least. The cheapest first.
 template <int N>
 auto EdgeCollapses<N>::ways(std::uint32_t a, std::uint32_t b) const -> std::vector<Collapse> {
   std::vector<Collapse> out;
@@ -97,12 +109,13 @@ auto EdgeCollapses<N>::ways(std::uint32_t a, std::uint32_t b) const -> std::vect
     if (auto c = onto(from, to)) out.push_back(std::move(*c));
   for (const Collapse& c : out) {
     if (c.merges.size() > 1 || surface_.is_locked(c.to) || !surface_.has_one_wedge(c.to)) continue;
+    if (N > 3 && connectivity().is_border(c.to)) continue;  // the texture's border stays where it is
     const auto [goes, stays] = c.merges[0];
     const Quadric<N> sum = errors_[goes] + errors_[stays];
     Collapse free = c;
     free.moved_to = sum.minimum((surface_.wedge(goes) + surface_.wedge(stays)) * 0.5);
     free.cost = sum(*free.moved_to);
-    out.push_back(std::move(free));
+    if (is_in_texture(*free.moved_to)) out.push_back(std::move(free));
     break;
   }
   std::ranges::stable_sort(out, {}, &Collapse::cost);

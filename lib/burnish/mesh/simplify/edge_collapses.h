@@ -36,6 +36,7 @@ class EdgeCollapses {
   void add_planes();
   void add_lines();
   std::optional<Collapse> onto(std::uint32_t from, std::uint32_t to) const;
+  bool is_in_texture(const Point& p) const;
   std::vector<Collapse> ways(std::uint32_t a, std::uint32_t b) const;
   TriangleN<N> points_after(std::uint32_t triangle, const Collapse& c) const;
   std::optional<double> price(const Collapse& c) const;
@@ -43,6 +44,7 @@ class EdgeCollapses {
 
   WedgedSurface<N> surface_;
   std::vector<Quadric<N>> errors_;  // of each wedge
+  Point least_, most_;              // of all texture coordinates
 };
 
 extern template class EdgeCollapses<3>;
