@@ -282,6 +282,18 @@ TEST(DisplacedNormals, WhatIsMaskedOrAloneHoldsTheSmoothNormal) {
   EXPECT_EQ(map.covered_texels, 256u);
 }
 
+// At the middle of the map the corners' normals add up to nothing.
+TEST(DisplacedNormals, WhereCornerNormalsCancelOutTheTrianglesOwnCounts) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  mesh.triangles = mesh.triangle_uvs = {{0, 1, 2}, {0, 2, 3}};
+  mesh.normals = {{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}};
+  mesh.triangle_normals = {{0, 1, 2}, {0, 2, 1}};
+  const DisplacedNormals map = displaced_normals(mesh, field_of(3, 3, [](double, double) { return 0.5; }), {});
+  EXPECT_EQ(normal_of(map, 1, 1), (Vec3d{0, 0, 1}));
+}
+
 TEST(DisplacedNormals, TheSameOnAnyNumberOfThreads) {
   const HeightField field = field_of(100, 60, waves);
   const Mesh mesh = grid_mesh(20, 10, torus, identity_uv);

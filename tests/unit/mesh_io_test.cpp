@@ -161,27 +161,5 @@ TEST_F(MeshIo, WhatIsWrittenReadsBackTheSame) {
   EXPECT_ERROR(write_mesh(dir_ / "none/b.off", MeshFileType::kOff, bare), ErrorKind::kIo, "cannot be written");
 }
 
-TEST(Mesh, SmoothNormalsOfACubeWeldedOrNotPointOutOfItsCorners) {
-  Mesh cube;
-  for (int i = 0; i < 8; i++) cube.positions.push_back({i & 1 ? 1. : -1., i & 2 ? 1. : -1., i & 4 ? 1. : -1.});
-  const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  for (const auto& f : faces) {
-    cube.triangles.push_back({std::uint32_t(f[0]), std::uint32_t(f[1]), std::uint32_t(f[2])});
-    cube.triangles.push_back({std::uint32_t(f[0]), std::uint32_t(f[2]), std::uint32_t(f[3])});
-  }
-  Mesh split = cube;
-  split.positions.clear();
-  for (Corners& t : split.triangles)
-    for (std::uint32_t& i : t) {
-      split.positions.push_back(cube.positions[i]);
-      i = std::uint32_t(split.positions.size() - 1);
-    }
-  for (Mesh* m : {&cube, &split}) {
-    add_smooth_normals(*m);
-    for (std::size_t t = 0; t < m->triangles.size(); t++)
-      for (int c = 0; c < 3; c++) EXPECT_LT(angle_rad(m->normal(t, c), m->position(t, c)), 1e-9);
-  }
-}
-
 }  // namespace
 }  // namespace burnish

@@ -6,6 +6,11 @@
 #include "burnish/mesh/weld.h"
 
 namespace burnish {
+namespace {
+
+constexpr double kLeastNormal = 1e-9;  // shorter ones are rounding errors, not directions
+
+}  // namespace
 
 Vec3d position_at(const Mesh& mesh, const MeshPoint& p) {
   return mesh.position(p.triangle, 0) * p.weight[0] + mesh.position(p.triangle, 1) * p.weight[1] +
@@ -16,7 +21,7 @@ Vec3d normal_at(const Mesh& mesh, const MeshPoint& p) {
   if (mesh.has_normals()) {
     const Vec3d n = mesh.normal(p.triangle, 0) * p.weight[0] + mesh.normal(p.triangle, 1) * p.weight[1] +
                     mesh.normal(p.triangle, 2) * p.weight[2];
-    if (length(n) > 1e-9) return normalized(n);
+    if (length(n) > kLeastNormal) return normalized(n);
   }
   return normalized(mesh.perpendicular(p.triangle));
 }
@@ -40,11 +45,26 @@ void add_smooth_normals(Mesh& mesh) {
     }
   }
   mesh.normals.resize(mesh.positions.size());
-  for (std::size_t i = 0; i < sum.size(); i++) {
-    const Vec3d n = sum[same[i]];
-    mesh.normals[i] = length(n) > 1e-9 ? normalized(n) : Vec3d{0, 0, 1};
-  }
+  for (std::size_t i = 0; i < sum.size(); i++) mesh.normals[i] = sum[same[i]];
   mesh.triangle_normals = mesh.triangles;
+  settle_normals(mesh);
+}
+
+void settle_normals(Mesh& mesh) {
+  std::vector<bool> missing(mesh.normals.size());
+  for (std::size_t i = 0; i < missing.size(); i++) {
+    Vec3d& n = mesh.normals[i];
+    missing[i] = !(length(n) > kLeastNormal);
+    n = missing[i] ? Vec3d{0, 0, 1} : normalized(n);
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); t++) {
+    const Vec3d perpendicular = mesh.perpendicular(t);
+    const std::uint32_t own = std::uint32_t(mesh.normals.size());
+    bool taken = false;
+    for (std::uint32_t& i : mesh.triangle_normals[t])
+      if (missing[i] && length(perpendicular) > 0) i = own, taken = true;
+    if (taken) mesh.normals.push_back(normalized(perpendicular)), missing.push_back(false);
+  }
 }
 
 Bounds bounds(const Mesh& mesh) {

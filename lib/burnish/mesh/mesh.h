@@ -61,8 +61,13 @@ Vec2d uv_at(const Mesh& mesh, const MeshPoint& point);
 
 // Gives a mesh smooth normals where it has none: at each position the triangles' normals weighted by the angle at the
 // corner (Thürmer and Wüthrich, "Computing vertex normals from polygonal facets", 1998). Positions that coincide count
-// as one. Does nothing where there are normals.
+// as one. Where they cancel out, as of a card with two sides, each triangle keeps its own. Does nothing where there are
+// normals.
 void add_smooth_normals(Mesh& mesh);
+
+// Makes normals of any length unit. Corners whose normal has none take the triangle's own; (0,0,1) where that has none
+// either.
+void settle_normals(Mesh& mesh);
 
 struct Bounds {
   Vec3d least, most;

@@ -44,9 +44,10 @@ Surface surface_at(const Mesh& mesh, const MeshPoint& point) {
   if (gradient.det == 0) return s;
   s.p_u = in_plane(gradient.along_u(pa, pb), s.normal);
   s.p_v = in_plane(gradient.along_v(pa, pb), s.normal);
-  const double size = length(sum);
-  s.n_u = in_plane(gradient.along_u(na, nb), s.normal) / size;
-  s.n_v = in_plane(gradient.along_v(na, nb), s.normal) / size;
+  if (const double size = length(sum); size > 1e-9) {  // where the corners' cancel out, normal_at has the triangle's
+    s.n_u = in_plane(gradient.along_u(na, nb), s.normal) / size;
+    s.n_v = in_plane(gradient.along_v(na, nb), s.normal) / size;
+  }
   return s;
 }
 

@@ -11,7 +11,6 @@ namespace {
 using Corner = PolygonMesh::Corner;
 
 constexpr std::size_t kMostCorners = 10000;  // of a face; cutting ears off takes the square
-constexpr double kLeastNormal = 1e-9;        // shorter ones are rounding errors, not directions
 
 // The corners of a face without those that repeat the position of the one before.
 struct Outline {
@@ -27,26 +26,6 @@ struct Outline {
 
 bool has_area(const std::vector<Vec3d>& p, const Corners& t) {
   return length(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) > 0;
-}
-
-// Makes normals unit. Corners whose normal has no length take the triangle's own.
-void settle_normals(Mesh& mesh) {
-  std::vector<bool> missing(mesh.normals.size());
-  for (std::size_t i = 0; i < missing.size(); i++) {
-    Vec3d& n = mesh.normals[i];
-    missing[i] = !(length(n) > kLeastNormal);
-    n = missing[i] ? Vec3d{0, 0, 1} : normalized(n);
-  }
-  for (std::size_t t = 0; t < mesh.triangles.size(); t++) {
-    const std::size_t own = mesh.normals.size();
-    for (std::uint32_t& i : mesh.triangle_normals[t])
-      if (missing[i]) i = std::uint32_t(own);
-    const Corners& c = mesh.triangle_normals[t];
-    if (c[0] == own || c[1] == own || c[2] == own) {
-      mesh.normals.push_back(normalized(mesh.perpendicular(t)));
-      missing.push_back(false);
-    }
-  }
 }
 
 }  // namespace
