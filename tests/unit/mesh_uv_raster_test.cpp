@@ -44,16 +44,17 @@ Cover cover(const Mesh& mesh, int width, int height) {
   return out;
 }
 
-// How many of the mesh's triangles take each texel, each rasterised alone.
-std::vector<int> takers(const Mesh& mesh, int width, int height) {
-  std::vector<int> count(std::size_t(width) * height);
-  for (std::size_t t = 0; t < mesh.triangles.size(); t++) {
+// Which of the mesh's triangles take each texel, each rasterised alone.
+std::vector<std::vector<std::uint32_t>> takers(const Mesh& mesh, int width, int height) {
+  std::vector<std::vector<std::uint32_t>> out(std::size_t(width) * height);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); t++) {
     Mesh alone = mesh;
     alone.triangles = {mesh.triangles[t]}, alone.triangle_uvs = {mesh.triangle_uvs[t]};
     const Cover c = cover(alone, width, height);
-    for (std::size_t i = 0; i < count.size(); i++) count[i] += c.triangles[i] != UvRaster::kNone;
+    for (std::size_t i = 0; i < out.size(); i++)
+      if (c.triangles[i] != UvRaster::kNone) out[i].push_back(t);
   }
-  return count;
+  return out;
 }
 
 // Corners at arbitrary places, and on texel centres and borders, where ties are; each triangle turned by chance.
@@ -70,9 +71,9 @@ TEST(UvRaster, ATriangulationTakesEveryCentreExactlyOnce) {
     }
     for (Corners& c : mesh.triangle_uvs)
       if (random() & 1) std::swap(c[0], c[1]);
-    const std::vector<int> count = takers(mesh, width, height);
-    for (std::size_t i = 0; i < count.size(); i++)
-      ASSERT_EQ(count[i], 1) << "round " << round << ", column " << i % width << ", row " << i / width;
+    const auto taken = takers(mesh, width, height);
+    for (std::size_t i = 0; i < taken.size(); i++)
+      ASSERT_EQ(taken[i].size(), 1u) << "round " << round << ", column " << i % width << ", row " << i / width;
     const Cover all = cover(mesh, width, height);
     EXPECT_EQ(std::ranges::count(all.several, 1), 0) << "round " << round;
     EXPECT_EQ(std::ranges::count(all.triangles, UvRaster::kNone), 0) << "round " << round;
@@ -91,7 +92,7 @@ TEST(UvRaster, ACornerOnACentreIsTakenOnce) {
     };
     corners.insert(corners.end(), {middle, rim(i), rim((i + 1) % 8)});
   }
-  EXPECT_EQ(takers(triangles_in_map(corners), w, w)[3 * w + 4], 1);
+  EXPECT_EQ(takers(triangles_in_map(corners), w, w)[3 * w + 4].size(), 1u);
 }
 
 TEST(UvRaster, TexelsAreWhereTheirPointsAre) {
@@ -140,6 +141,28 @@ TEST(UvRaster, OfSeveralTheFirstTriangleCounts) {
   EXPECT_EQ(c.several[at(0.55, 0.15)], 1);
   EXPECT_EQ(c.several[at(0.15, 0.55)], 0);
   EXPECT_EQ(c.several[at(0.85, 0.55)], 0);
+}
+
+// From a few triangles to so many that whole rows are taken twice and more, in maps of several bands of rows.
+TEST(UvRaster, OfAnyNumberTheFirstCountsAndTheRestAreSeveral) {
+  std::mt19937 random(5);
+  const auto any = [&] { return random() / 4294967296.0; };
+  for (const int count : {3, 12, 60, 400})
+    for (const double size : {0.2, 1.0}) {
+      std::vector<Vec2d> corners;
+      for (int t = 0; t < count; t++) {
+        const Vec2d at = Vec2d{any(), any()} * (1 - size);
+        for (int c = 0; c < 3; c++) corners.push_back(at + Vec2d{any(), any()} * size);
+      }
+      const Mesh mesh = triangles_in_map(corners);
+      const int width = 29, height = 101;
+      const Cover c = cover(mesh, width, height);
+      const auto taken = takers(mesh, width, height);
+      for (std::size_t i = 0; i < taken.size(); i++) {
+        ASSERT_EQ(c.triangles[i], taken[i].empty() ? UvRaster::kNone : taken[i][0]) << count << ' ' << size << ' ' << i;
+        ASSERT_EQ(c.several[i], taken[i].size() > 1) << count << ' ' << size << ' ' << i;
+      }
+    }
 }
 
 TEST(UvRaster, WithoutAreaNothingIsCovered) {

@@ -13,11 +13,18 @@ namespace burnish {
 namespace {
 
 constexpr std::int64_t kTexel = 4096, kHalf = kTexel / 2;
+// Triangles are listed by bands of rows: where many lie on the same texels, lists of each row would not fit in memory.
+constexpr int kBand = 32;
 
 std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - (a % b != 0 && (a < 0) != (b < 0)); }
 std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
 
 }  // namespace
+
+template <typename Body>
+void UvRaster::for_each_band(Rows rows, const Body& body) {
+  for (int band = rows.first / kBand; band * kBand < rows.end; band++) body(band);
+}
 
 std::int64_t UvRaster::twice_area(Place a, Place b, Place c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -29,14 +36,14 @@ UvRaster::Edge UvRaster::edge(Place a, Place b, int y) {
   return {twice_area(a, b, {kHalf, y * kTexel + kHalf}), dy * kTexel, dy < 0 || (dy == 0 && dx > 0)};
 }
 
-UvRaster::UvRaster(const Mesh& mesh, int width, int height) : width_(width), height_(height) {
+UvRaster::UvRaster(const Mesh& mesh, int width, int height) : width_(width) {
   if (width < 1 || height < 1 || width > kMostTexels || height > kMostTexels)
     throw Error(ErrorKind::kUsage, "size: expected 1 to " + std::to_string(kMostTexels) + " texels a side, got " +
                                        std::to_string(width) + "x" + std::to_string(height));
   const std::size_t count = mesh.triangle_uvs.size();
   places_.resize(count);
-  std::vector<std::array<int, 2>> rows(count);  // first, and behind the last
-  row_begin_.assign(std::size_t(height) + 1, 0);
+  rows_.resize(count);
+  band_begin_.assign(std::size_t(height / kBand) + 2, 0);
   for (std::size_t t = 0; t < count; t++) {
     std::array<Place, 3>& p = places_[t];
     for (int c = 0; c < 3; c++) {
@@ -45,23 +52,33 @@ UvRaster::UvRaster(const Mesh& mesh, int width, int height) : width_(width), hei
     }
     if (twice_area(p[0], p[1], p[2]) == 0) continue;
     const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
-    rows[t] = {int(ceil_div(top - kHalf, kTexel)),
-               int(std::min<std::int64_t>(floor_div(bottom - kHalf, kTexel) + 1, height))};
-    for (int y = rows[t][0]; y < rows[t][1]; y++) row_begin_[y + 1]++;
+    rows_[t] = {int(ceil_div(top - kHalf, kTexel)),
+                int(std::min<std::int64_t>(floor_div(bottom - kHalf, kTexel) + 1, height))};
+    for_each_band(rows_[t], [&](int band) { band_begin_[band + 1]++; });
   }
-  std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
-  row_triangles_.resize(row_begin_.back());
-  std::vector<std::size_t> next(row_begin_.begin(), row_begin_.end() - 1);
+  std::partial_sum(band_begin_.begin(), band_begin_.end(), band_begin_.begin());
+  band_triangles_.resize(band_begin_.back());
+  std::vector<std::size_t> next(band_begin_.begin(), band_begin_.end() - 1);
   for (std::size_t t = 0; t < count; t++)
-    for (int y = rows[t][0]; y < rows[t][1]; y++) row_triangles_[next[y]++] = std::uint32_t(t);
+    for_each_band(rows_[t], [&](int band) { band_triangles_[next[band]++] = std::uint32_t(t); });
 }
 
 void UvRaster::row(int y, std::uint32_t* triangles, std::uint8_t* several) const {
   std::fill_n(triangles, width_, kNone);
   std::fill_n(several, width_, std::uint8_t(0));
-  for (std::size_t i = row_begin_[y]; i < row_begin_[y + 1]; i++) {
-    const std::uint32_t t = row_triangles_[i];
+  // At or behind each texel the next one that has no two triangles yet.
+  std::vector<int> open(std::size_t(width_) + 1);
+  std::iota(open.begin(), open.end(), 0);
+  const auto next_open = [&](int x) {
+    while (open[x] != x) x = open[x] = open[open[x]];
+    return x;
+  };
+  for (std::size_t i = band_begin_[y / kBand]; i < band_begin_[y / kBand + 1] && next_open(0) < width_; i++) {
+    const std::uint32_t t = band_triangles_[i];
+    if (y < rows_[t].first || y >= rows_[t].end) continue;
     const std::array<Place, 3>& p = places_[t];
+    const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
+    if (next_open(int(left / kTexel)) * kTexel > right) continue;
     const bool turned = twice_area(p[0], p[1], p[2]) < 0;
     std::int64_t first = 0, end = width_;
     for (int c = 0; c < 3 && first < end; c++) {
@@ -72,9 +89,10 @@ void UvRaster::row(int y, std::uint32_t* triangles, std::uint8_t* several) const
       else if (e.step < 0) first = std::max(first, ceil_div(least - e.value, -e.step));
       else if (e.value < least) end = first;
     }
-    for (std::int64_t x = first; x < end; x++) {
+    if (first >= end) continue;
+    for (int x = next_open(int(first)); x < end; x = next_open(x + 1)) {
       if (triangles[x] == kNone) triangles[x] = t;
-      else several[x] = 1;
+      else several[x] = 1, open[x] = x + 1;
     }
   }
 }
