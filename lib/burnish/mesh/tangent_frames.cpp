@@ -117,7 +117,7 @@ std::vector<Group> build_groups(std::vector<Triangle>& triangles) {
   return groups;
 }
 
-Vec3d in_plane(Vec3d v, Vec3d normal) {
+Vec3d unit_in_plane(Vec3d v, Vec3d normal) {
   const Vec3d p = v - normal * dot(normal, v);
   return length(p) > 0 ? normalized(p) : p;
 }
@@ -129,30 +129,47 @@ Vec3d any_tangent(Vec3d n) {
   return normalized(cross(axis, n));
 }
 
+// What a triangle of a group adds to the mean.
+struct Member {
+  Vec3d u, v;
+  double angle;
+  bool blank;
+
+  bool is_opposite(const Member& m) const { return dot(u, m.u) <= kRounding - 1 || dot(v, m.v) <= kRounding - 1; }
+};
+
+// All on one side, as nearly everywhere: then no two are opposite.
+bool all_on_one_side(const std::vector<Member>& members, Vec3d Member::*direction) {
+  Vec3d sum;
+  for (const Member& m : members) sum += m.*direction;
+  constexpr double kClear = 1e-5;  // beyond what kRounding takes for opposite
+  return std::ranges::all_of(members,
+                             [&](const Member& m) { return m.blank || dot(m.*direction, sum) > kClear * length(sum); });
+}
+
 // The mean over the group, weighted by angle. Those that point exactly the other way take no part in a triangle's own:
 // the standard's angular threshold of 180°.
 void set_tangents(const Mesh& mesh, const std::vector<Triangle>& triangles, const Group& group, TangentFrames& frames) {
-  struct Member {
-    Vec3d u, v;
-    double angle;
-    bool blank;
-  };
   std::vector<Member> members;
   const Vec3d n = mesh.normal(group.triangles[0], triangles[group.triangles[0]].corner_at(group.vertex));
   for (const std::uint32_t t : group.triangles) {
     const int c = triangles[t].corner_at(group.vertex);
     const Vec3d at = mesh.position(t, c);
-    members.push_back(
-        {in_plane(triangles[t].along_u, n), in_plane(triangles[t].along_v, n),
-         angle_rad(in_plane(mesh.position(t, (c + 1) % 3) - at, n), in_plane(mesh.position(t, (c + 2) % 3) - at, n)),
-         triangles[t].blank});
+    members.push_back({unit_in_plane(triangles[t].along_u, n), unit_in_plane(triangles[t].along_v, n),
+                       angle_rad(unit_in_plane(mesh.position(t, (c + 1) % 3) - at, n),
+                                 unit_in_plane(mesh.position(t, (c + 2) % 3) - at, n)),
+                       triangles[t].blank});
   }
-  for (std::size_t i = 0; i < members.size(); i++) {
+  const auto sum_for = [&](const Member& one) {
     Vec3d sum;
-    for (const Member& m : members) {
-      const bool opposite = dot(members[i].u, m.u) <= kRounding - 1 || dot(members[i].v, m.v) <= kRounding - 1;
-      if (!m.blank && (members[i].blank || !opposite)) sum += m.u * m.angle;
-    }
+    for (const Member& m : members)
+      if (!m.blank && (one.blank || !one.is_opposite(m))) sum += m.u * m.angle;
+    return sum;
+  };
+  const bool one_sum = all_on_one_side(members, &Member::u) && all_on_one_side(members, &Member::v);
+  Vec3d sum;
+  for (std::size_t i = 0; i < members.size(); i++) {
+    if (i == 0 || !one_sum) sum = sum_for(members[i]);
     const std::uint32_t t = group.triangles[i];
     frames[t][triangles[t].corner_at(group.vertex)] = {length(sum) > 1e-9 ? normalized(sum) : any_tangent(n),
                                                        group.mirrored ? -1.0 : 1.0};
