@@ -79,7 +79,8 @@ int main(int argc, char** argv) {
     options.levels = levels;
     const FileRef chain = output.path.empty() ? FileRef() : tool.write(output.path);
     IndexedMap map = read_indexed_map(file, options.coding.green, palette_beside);
-    output.require_format(type, map.palette.normals.size());
+    if (!output.path.empty()) output.require_format(type, map.palette.normals.size(), output.path);
+    if (!split.empty()) output.require_format(split_type, map.palette.normals.size(), level_name(split, 0));
     const int count = levels ? levels : level_count(map.width(), map.height());
     if (!chain.empty()) require_can_hold_levels(chain, type, count);
     std::vector<FileRef> parts;

@@ -150,7 +150,7 @@ Json quantize(Tool& tool, Options& o) {
   const auto write = [&](std::size_t i, const IndexedMap& map) {
     IndexedOutput output = o.output;
     output.path = outputs[i];
-    output.require_format(type, map.palette.normals.size());
+    output.require_format(type, map.palette.normals.size(), output.path);
     write_indexed_map(files[i], type, map);
   };
   const QuantizeResult result = quantize_normal_maps(std::move(maps), o.quantize, write, tool.progress());

@@ -85,6 +85,7 @@ PYTHON
     refuses 1 "--split" burnish-mipmap q.exr --split "$pattern"
   done
   refuses 5 "EXR, PNG, KTX2 or DDS" burnish-mipmap q.exr --split 'm_%d.tif'
+  refuses 5 "'f_0.png': PNG holds indices" burnish-mipmap q.exr --split 'f_%d.png' -d float
   refuses 1 "is an input" burnish-mipmap m_1.png --split 'm_%d.png'
   refuses 1 "twice" burnish-mipmap q.exr --split 'x_%d.exr' -o x_1.exr
   refuses 2 "'nowhere/x_0.png'" burnish-mipmap q.exr --split 'nowhere/x_%d.png'

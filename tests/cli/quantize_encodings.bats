@@ -113,7 +113,8 @@ PYTHON
   inputs
   make_image colours 64 48 m.png
   succeeds burnish-quantize n.png m.png --material ids.png --material-encoding subcubes --output-dir q --emit-rgb 'rgb_{stem}.png'
-  [ -s rgb_n.png ] && [ -s rgb_m.png ]
+  [ -s rgb_n.png ]
+  [ -s rgb_m.png ]
   refuses 1 "--emit-rgb: expected a name with {stem} for the images of 2 maps, got 'one.png'" \
     burnish-quantize n.png m.png --material-encoding alpha --output-dir two --emit-rgb one.png
 }

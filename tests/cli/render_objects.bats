@@ -82,6 +82,12 @@ scene() {
   succeeds burnish-render s.toml -o linear.png
   same_bytes default.png srgb.png
   if same_pixels srgb.png linear.png 0.01 >/dev/null; then return 1; fi
+  oiiotool base.png --mulc 4 -d float -o bright.exr
+  scene 'model = "lambert"' 'base_color_map = "bright.exr"' 'base_color_transfer = "srgb"'
+  refuses 3 "'bright.exr': expected sRGB colours of at most 1, got " burnish-render s.toml -o x.png
+  oiiotool base.png --ch 0,1 -o two.png
+  scene 'model = "lambert"' 'base_color_map = "two.png"'
+  refuses 3 "'two.png': expected 1 channel, or 3 and more, got 2" burnish-render s.toml -o x.png
 }
 
 @test "a DDS with the palette beside it is the EXR it was made of" {

@@ -235,5 +235,13 @@ TEST(PaletteEncoding, WhatIsMaskedShapesNoPalette) {
   }
 }
 
+TEST(PaletteEncoding, OneColourIsTheMeanWhateverTheEngine) {
+  if (!has_imagequant()) GTEST_SKIP() << "no libimagequant";
+  const std::vector<WeightedColour> points{{{10, 20, 30, 255}, 3}, {{50, 60, 70, 255}, 1}};
+  const std::vector<Colour> one = fit_imagequant(points, 1);
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0], (Colour{20, 30, 40, 255}));
+}
+
 }  // namespace
 }  // namespace burnish

@@ -166,10 +166,10 @@ FileType IndexedOutput::type_of(const std::string& map_path, const std::string& 
 
 FileType IndexedOutput::palette_type() const { return kPalette.type_of(palette_path, "--palette-output"); }
 
-void IndexedOutput::require_format(FileType type, std::size_t normals) const {
+void IndexedOutput::require_format(FileType type, std::size_t normals, const std::string& file) const {
   const std::string stored = type == FileType::kExr ? "uint32" : normals <= 256 ? "uint8" : "uint16";
   if (!format.empty() && format != stored)
-    throw file_error(ErrorKind::kUnsupported, shown(path),
+    throw file_error(ErrorKind::kUnsupported, shown(file),
                      std::string(name(type)) + " holds indices into " + std::to_string(normals) + " normals as " +
                          stored + ", not " + format);
 }

@@ -81,7 +81,7 @@ struct IndexedOutput {
   FileType palette_type() const;
   // What indices are stored as follows from the palette's size and the file's type; -d may only say so. kUnsupported
   // otherwise.
-  void require_format(FileType type, std::size_t normals) const;
+  void require_format(FileType type, std::size_t normals, const std::string& file) const;
 };
 
 // A length such as 2, 2m, 10cm or 5mm; metres and plain numbers count alike. Throws CLI::ValidationError.

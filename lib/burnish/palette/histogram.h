@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "burnish/core/progress.h"
-#include "burnish/palette/fit/point_tree.h"
+#include "burnish/palette/fit/weighted_normal.h"
 #include "burnish/palette/key_table.h"
 #include "burnish/palette/map_set.h"
 

@@ -72,12 +72,18 @@ Image read_base_colour(const BaseColour& base) {
   Image stored(reader.width(), reader.height(), reader.channels());
   reader.read_rows(0, stored.height, stored.data.data());
   const bool srgb = base.srgb.value_or(reader.integer());
+  if (reader.channels() == 2)
+    throw file_error(ErrorKind::kMalformed, base.map, "expected 1 channel, or 3 and more, got 2");
   Image out(stored.width, stored.height, 3);
   for (std::size_t i = 0; i < out.texels(); i++)
     for (int c = 0; c < 3; c++) {
       const float s = stored.data[i * stored.channels + (stored.channels >= 3 ? c : 0)];
       if (!(s >= 0 && std::isfinite(s)))
         throw file_error(ErrorKind::kMalformed, base.map, "expected colours of at least 0, got " + number_text(s));
+      if (srgb && s > 1)
+        throw file_error(ErrorKind::kMalformed, base.map,
+                         "expected sRGB colours of at most 1, got " + number_text(s) +
+                             "; base_color_transfer = \"linear\" takes more");
       out.data[i * 3 + c] = srgb ? float(linear_from_srgb(s)) : s;
     }
   return out;

@@ -38,12 +38,6 @@ std::vector<Colour> quantize(const std::vector<WeightedColour>& colours, Engine 
   }
 }
 
-Vec3f mean(const std::vector<WeightedNormal>& points) {
-  Vec3d sum;
-  for (const WeightedNormal& p : points) sum += Vec3d(p.normal) * double(p.weight);
-  return length(sum) > 1e-9 ? Vec3f(normalized(sum)) : points[0].normal;
-}
-
 }  // namespace
 
 Groups meanings(const std::vector<Colour>& colours, const MaterialCube& cube, std::size_t materials) {
@@ -74,7 +68,7 @@ Groups fit_in_cube(const std::vector<std::vector<WeightedNormal>>& groups, const
     fitted = n - without;  // fewer each time: fewer colours leave no fewer materials without one, or it ends here
   }
   for (std::size_t g = 0; g < groups.size(); g++)
-    if (entries[g].empty()) entries[g].push_back(mean(groups[g]));
+    if (entries[g].empty()) entries[g].push_back(mean_normal(groups[g]));
   return entries;
 }
 

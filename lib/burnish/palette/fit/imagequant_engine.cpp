@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "burnish/core/error.h"
+#include "burnish/palette/fit/colour_codebook.h"
 
 #ifdef BURNISH_WITH_IMAGEQUANT
 #include <libimagequant.h>
@@ -49,11 +50,7 @@ unsigned count_of(float weight) { return unsigned(std::max(1.f, weight)); }
 bool has_imagequant() { return true; }
 
 std::vector<Vec3f> fit_imagequant(const std::vector<WeightedNormal>& points, int n) {
-  if (n == 1) {
-    Vec3d sum;
-    for (const WeightedNormal& p : points) sum += Vec3d(p.normal) * double(p.weight);
-    return {length(sum) > 1e-9 ? Vec3f(normalized(sum)) : points[0].normal};
-  }
+  if (n == 1) return {mean_normal(points)};
   const auto byte = [](float v) { return static_cast<unsigned char>((0.5f * v + 0.5f) * 255.f + 0.5f); };
   std::vector<liq_histogram_entry> colours;
   for (const WeightedNormal& p : points)
@@ -67,15 +64,14 @@ std::vector<Vec3f> fit_imagequant(const std::vector<WeightedNormal>& points, int
 }
 
 std::vector<Colour> fit_imagequant(const std::vector<WeightedColour>& points, int n) {
+  if (n == 1) return fit_colour_codebook(points, 1);  // the mean
   const auto byte = [](float v) { return static_cast<unsigned char>(v + 0.5f); };
   std::vector<liq_histogram_entry> colours;
   for (const WeightedColour& p : points)
     colours.push_back(
         {{byte(p.colour[0]), byte(p.colour[1]), byte(p.colour[2]), byte(p.colour[3])}, count_of(p.weight)});
   std::vector<Colour> out;
-  for (const liq_color& c : quantize(colours, std::max(2, n)))
-    out.push_back({float(c.r), float(c.g), float(c.b), float(c.a)});
-  out.resize(std::min(out.size(), std::size_t(n)));
+  for (const liq_color& c : quantize(colours, n)) out.push_back({float(c.r), float(c.g), float(c.b), float(c.a)});
   return out;
 }
 

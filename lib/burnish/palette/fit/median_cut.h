@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "burnish/palette/fit/point_tree.h"
 #include "burnish/palette/fit/weighted_colour.h"
+#include "burnish/palette/fit/weighted_normal.h"
 
 namespace burnish {
 

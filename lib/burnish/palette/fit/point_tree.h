@@ -9,13 +9,9 @@
 #include <vector>
 
 #include "burnish/core/vec3.h"
+#include "burnish/palette/fit/weighted_normal.h"
 
 namespace burnish {
-
-struct WeightedNormal {
-  Vec3f normal;  // unit
-  float weight;  // > 0
-};
 
 class PointTree {
  public:
