@@ -294,8 +294,8 @@ PYTHON
 
 @test "slopes beyond floating point are refused" {
   make_image bumps 8 8 h.png
-  refuses 3 "too steep" burnish-normals h.png -o x.exr --size 1e-100
-  refuses 3 "too steep" burnish-normals h.png -o x.png --height 1e200
+  refuses 3 "'h.png': slopes are too steep" burnish-normals h.png -o x.exr --size 1e-100
+  refuses 3 "'h.png': slopes are too steep" burnish-normals h.png -o x.png --height 1e200
 }
 
 # Two triangles over the unit square, which is the left half of the map.
@@ -394,7 +394,7 @@ half_square() {
   refuses 2 "'missing.obj'" burnish-normals h.png -o x.png --mesh missing.obj
   refuses 5 "'h.png'" burnish-normals h.png -o x.png --mesh h.png
   refuses 1 "is an input" burnish-normals h.png -o half.obj.png --mesh half.obj --report half.obj
-  refuses 3 "too steep" burnish-normals h.png -o x.png --mesh half.obj --height 1e300
+  refuses 3 "'h.png': slopes are too steep" burnish-normals h.png -o x.png --mesh half.obj --height 1e300
   refuses 5 "signed" burnish-normals h.png -o x.png --mesh half.obj --encoding signed
   half_square | sed 's/vt 0.5/vt 1/; s/^f 1\/1 3.*/&\nf 1\/1 2\/2 3\/3/' >twice.obj
   call burnish-normals h.png -o x.png --mesh twice.obj

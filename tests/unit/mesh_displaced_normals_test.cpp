@@ -315,7 +315,8 @@ TEST(DisplacedNormals, ErrorsNameWhatIsWrong) {
                "none that covers a texel of 8x8");
   EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, with_height(INFINITY)), ErrorKind::kUsage, "height");
   for (const double height : {1e160, 1e300, -1e308})
-    EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, with_height(height)), ErrorKind::kMalformed, "too steep");
+    EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, with_height(height)), ErrorKind::kMalformed,
+                 "'h.exr': slopes are too steep");
   HeightMapOptions options;
   options.neighbors = 5;
   EXPECT_ERROR(displaced_normals(sheet(kA, kB), field, options), ErrorKind::kUsage, "neighbors");

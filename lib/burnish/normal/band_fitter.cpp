@@ -22,8 +22,9 @@ double arc_tangent(double x) {
 }  // namespace
 
 BandFitter::BandFitter(const Neighborhood& neighborhood, const HeightMapOptions& options, int width, int height,
-                       const NormalMapTarget& target)
-    : n_(neighborhood),
+                       const NormalMapTarget& target, const std::string& name)
+    : name_(name),
+      n_(neighborhood),
       fit_u_(options.wrap_u == Wrap::kFit),
       fit_v_(options.wrap_v == Wrap::kFit),
       width_(width),
@@ -153,8 +154,8 @@ void BandFitter::gather(const HeightBand& band, int y, const Vec3f* normals, Nor
     count++;
   }
   if (!std::isfinite(sum))
-    throw Error(ErrorKind::kMalformed,
-                "slopes are too steep for floating point: look at the height, the size and the map");
+    throw file_error(ErrorKind::kMalformed, name_,
+                     "slopes are too steep for floating point: look at the height, the size and the map");
   out.tilt_sum += sum;
   out.steepest = std::max<double>(out.steepest, steepest);
   out.taking_part += count;

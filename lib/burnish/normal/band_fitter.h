@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "burnish/normal/height_bands.h"
@@ -21,9 +22,9 @@ struct NormalBand {
 
 class BandFitter {
  public:
-  // Of a map of that size. The neighbourhood and the target are kept by reference.
+  // Of a map of that size and name. The neighbourhood and the target are kept by reference.
   BandFitter(const Neighborhood& neighborhood, const HeightMapOptions& options, int width, int height,
-             const NormalMapTarget& target);
+             const NormalMapTarget& target, const std::string& name);
 
   // May be called from many threads. kMalformed for slopes beyond floating point.
   NormalBand fit(const HeightBand& band) const;
@@ -35,6 +36,7 @@ class BandFitter {
   void solve(const HeightBand& band, int x, int y, Vec3f* normals, NormalBand& out) const;
   void gather(const HeightBand& band, int y, const Vec3f* normals, NormalBand& out) const;
 
+  std::string name_;
   const Neighborhood& n_;
   bool fit_u_, fit_v_;
   int width_, height_;

@@ -11,7 +11,7 @@
 namespace burnish {
 
 HeightBands::HeightBands(const FileRef& file, const HeightMapOptions& options, int radius)
-    : options_(options), radius_(radius), reader_(file), channel_(height_channel(reader_, options.channel)) {
+    : options_(options), radius_(radius), reader_(file), channel_(reader_, options.channel) {
   if (!options.mask.empty()) {
     mask_.emplace(options.mask);
     mask_->require_size(width(), height(), "the height map");
@@ -56,10 +56,7 @@ auto HeightBands::read_rows(ImageReader& reader, ImageReader* mask, int first, i
     const float* in = samples_.data() + std::size_t(y) * w * c;
     Row& row = rows[y];
     row.displacement.resize(w);
-    for (std::size_t x = 0; x < w; x++) row.displacement[x] = in[x * c + channel_];
-    if (c >= 3 && options_.channel.empty() && !colours_differ_)
-      for (std::size_t x = 0; x < w; x++)
-        if (in[x * c] != in[x * c + 1] || in[x * c] != in[x * c + 2]) colours_differ_ = true;
+    channel_.take(in, w, row.displacement.data());
     if (mask) {
       const std::size_t mc = mask->channels();
       mask_samples_.resize(w * mc);

@@ -11,6 +11,7 @@
 
 #include "burnish/core/image_io.h"
 #include "burnish/normal/height_map.h"
+#include "burnish/normal/height_texels.h"
 
 namespace burnish {
 
@@ -28,7 +29,7 @@ class HeightBands {
 
   int width() const { return reader_.width(); }
   int height() const { return reader_.height(); }
-  bool colour_channels_differ() const { return colours_differ_; }  // so far, and none was chosen
+  bool colour_channels_differ() const { return channel_.colours_differ(); }
   bool done() const { return next_ >= height(); }
   HeightBand next();
 
@@ -47,13 +48,12 @@ class HeightBands {
   const HeightMapOptions& options_;
   int radius_;
   ImageReader reader_;
-  int channel_;
+  HeightChannel channel_;
   std::optional<ImageReader> mask_;
   int band_rows_ = 0, next_ = 0;
   int window_first_ = 0;
   std::vector<Row> window_, head_, tail_;
   std::vector<float> samples_, mask_samples_;
-  bool colours_differ_ = false;
 };
 
 }  // namespace burnish

@@ -25,7 +25,7 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
   HeightMapStats stats;
   stats.width = source.width();
   stats.height = source.height();
-  const BandFitter fitter(neighborhood, options, stats.width, stats.height, target);
+  const BandFitter fitter(neighborhood, options, stats.width, stats.height, target, file.name);
   ImageWriter writer(target.file, target.type, target.sample, stats.width, stats.height, 3,
                      space_attributes(target.type, NormalSpace::kTangent));
 

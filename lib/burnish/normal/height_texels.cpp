@@ -7,7 +7,9 @@
 
 namespace burnish {
 
-int height_channel(const ImageReader& reader, const std::string& wanted) {
+namespace {
+
+int channel_of(const ImageReader& reader, const std::string& wanted) {
   if (wanted.empty()) return 0;
   const std::vector<std::string>& names = reader.channel_names();
   const auto lower = [](unsigned char c) { return std::tolower(c); };
@@ -19,6 +21,20 @@ int height_channel(const ImageReader& reader, const std::string& wanted) {
   std::string all;
   for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
   throw file_error(ErrorKind::kMalformed, reader.name(), "expected channel " + wanted + ", got " + all);
+}
+
+}  // namespace
+
+HeightChannel::HeightChannel(const ImageReader& reader, const std::string& wanted)
+    : channels_(reader.channels()), channel_(channel_of(reader, wanted)), is_chosen_(!wanted.empty()) {}
+
+void HeightChannel::take(const float* samples, std::size_t texels, float* heights) {
+  for (std::size_t i = 0; i < texels; i++) heights[i] = samples[i * channels_ + channel_];
+  if (channels_ < 3 || is_chosen_ || colours_differ_) return;
+  for (std::size_t i = 0; i < texels; i++) {
+    const float* texel = samples + i * channels_;
+    if (texel[0] != texel[1] || texel[0] != texel[2]) colours_differ_ = true;
+  }
 }
 
 int wrapped_texel(int i, int n, Wrap wrap) {

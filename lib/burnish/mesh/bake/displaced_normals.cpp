@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "burnish/core/error.h"
-#include "burnish/core/parallel.h"
+#include "burnish/mesh/bake/map_rows.h"
 #include "burnish/mesh/bake/uv_raster.h"
 #include "burnish/normal/height_texels.h"
 #include "burnish/normal/plane_fit.h"
@@ -160,18 +160,14 @@ class Displacer {
 
 HeightField read_height_field(const FileRef& file, const HeightMapOptions& options) {
   ImageReader reader(file);
-  const int channel = height_channel(reader, options.channel), channels = reader.channels();
+  HeightChannel channel(reader, options.channel);
   HeightField field{reader.name(), Image(reader.width(), reader.height()), {}, false};
-  std::vector<float> row(std::size_t(reader.width()) * channels);
+  std::vector<float> row(std::size_t(reader.width()) * reader.channels());
   for (int y = 0; y < reader.height(); y++) {
     reader.read_rows(y, 1, row.data());
-    for (int x = 0; x < reader.width(); x++) {
-      const float* texel = row.data() + std::size_t(x) * channels;
-      *field.heights.at(x, y) = texel[channel];
-      if (channels >= 3 && options.channel.empty() && (texel[0] != texel[1] || texel[0] != texel[2]))
-        field.colour_channels_differ = true;
-    }
+    channel.take(row.data(), reader.width(), field.heights.row(y));
   }
+  field.colour_channels_differ = channel.colours_differ();
   if (!options.mask.empty()) field.mask = read_mask(options.mask, reader.width(), reader.height());
   return field;
 }
@@ -189,27 +185,19 @@ DisplacedNormals displaced_normals(Mesh mesh, const HeightField& field, const He
   out.covered = ByteImage(out.width, out.height);
   out.normals.assign(field.heights.texels(), {0, 0, 1});
   Displacer displacer(mesh, field, options);
-  RowStats stats = parallel_sum<RowStats>(
-      out.height, 1, [&](std::size_t y, std::size_t) { return displacer.place(int(y), out.covered.row(int(y))); });
-  if (stats.covered == 0)
-    throw file_error(ErrorKind::kMalformed, mesh.name,
-                     "expected triangles with area in the map, got none that covers a texel of " +
-                         std::to_string(out.width) + "x" + std::to_string(out.height));
+  RowStats stats = sum_of_rows<RowStats>(out.height, {}, [&](int y) { return displacer.place(y, out.covered.row(y)); });
+  require_cover(mesh, stats.covered, out.width, out.height);
   if (stats.first_broken != SIZE_MAX)
     throw file_error(ErrorKind::kMalformed, field.name,
                      "expected finite heights, got NaN or infinity at column " +
                          std::to_string(stats.first_broken % out.width) + ", row " +
                          std::to_string(stats.first_broken / out.width) + " (--mask can exclude it)");
-  constexpr int kBand = 64;
-  for (int y = 0; y < out.height; y += kBand) {
-    stats += parallel_sum<RowStats>(std::min(kBand, out.height - y), 1, [&](std::size_t row, std::size_t) {
-      return displacer.displace(y + int(row), out.normals.data() + (y + row) * out.width);
-    });
-    report_progress(progress, double(std::min(y + kBand, out.height)) / out.height);
-  }
+  stats += sum_of_rows<RowStats>(out.height, progress, [&](int y) {
+    return displacer.displace(y, out.normals.data() + std::size_t(y) * out.width);
+  });
   if (stats.too_steep)
-    throw Error(ErrorKind::kMalformed,
-                "slopes are too steep for floating point: look at the height, the mesh and the map");
+    throw file_error(ErrorKind::kMalformed, field.name,
+                     "slopes are too steep for floating point: look at the height, the mesh and the map");
   out.covered_texels = stats.covered, out.overlapped_texels = stats.overlapped;
   out.degenerate_texels = stats.degenerate;
   out.max_slope_deg = degrees(stats.steepest);

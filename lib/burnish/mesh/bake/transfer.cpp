@@ -6,8 +6,8 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
-#include "burnish/core/parallel.h"
 #include "burnish/mesh/bake/gutter.h"
+#include "burnish/mesh/bake/map_rows.h"
 #include "burnish/mesh/bake/transfer_search.h"
 #include "burnish/mesh/bake/uv_raster.h"
 #include "burnish/mesh/tangent_frames.h"
@@ -179,19 +179,10 @@ TransferMaps transfer_detail(Mesh coarse, Mesh detailed, const TransferOptions& 
   maps.normals.assign(maps.coverage.texels(), {0, 0, 1});
   maps.displacement = Image(maps.width, maps.height);
   const Transfer transfer(coarse, detailed, options, maps);
-  RowStats stats;
-  constexpr int kBand = 64;
-  for (int y = 0; y < maps.height; y += kBand) {
-    stats += parallel_sum<RowStats>(std::min(kBand, maps.height - y), 1,
-                                    [&](std::size_t row, std::size_t) { return transfer.row(y + int(row)); });
-    report_progress(progress, double(std::min(y + kBand, maps.height)) / maps.height);
-  }
+  const auto stats = sum_of_rows<RowStats>(maps.height, progress, [&](int y) { return transfer.row(y); });
   maps.covered_texels = stats.covered, maps.missed_texels = stats.missed;
   maps.overlapped_texels = stats.overlapped, maps.max_distance = stats.max_distance;
-  if (stats.covered == 0)
-    throw file_error(ErrorKind::kMalformed, coarse.name,
-                     "expected triangles with area in the map, got none that covers a texel of " +
-                         std::to_string(maps.width) + "x" + std::to_string(maps.height));
+  require_cover(coarse, stats.covered, maps.width, maps.height);
   if (stats.missed == stats.covered) throw nothing_found(coarse, detailed, transfer.reach());
   const std::vector<std::uint32_t> sources = gutter_sources(maps.coverage, options.padding);
   fill_gutter(sources, maps.normals);
