@@ -125,7 +125,7 @@ PYTHON
   make_image nan 20 20 maps/nan.exr float
   refuses 3 "'maps/nan.exr'" burnish-quantize $maps maps/nan.exr --output-dir deep/er/still
   refuses 5 "uint8" burnish-quantize $maps -n 300 --output-dir maps/deep/er -d uint8
-  refuses 2 "'maps/a.png/deep': cannot be made a directory" burnish-quantize $maps --output-dir maps/a.png/deep
+  refuses 2 "'maps/a.png/deep': cannot be made a directory: 'maps/a.png' is a file" burnish-quantize $maps --output-dir maps/a.png/deep
   succeeds burnish-quantize $maps -n 20 --output-dir deep/er/still
   [ "$(ls deep/er/still | xargs)" = "a.exr b.exr c.exr" ]
 }

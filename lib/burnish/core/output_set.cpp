@@ -140,7 +140,9 @@ void OutputSet::make_directory(const std::string& name) {
     std::error_code ignored;
     if (fs::is_directory(at, ignored)) continue;
     if (::mkdir(at.c_str(), 0777) != 0)
-      throw file_error(ErrorKind::kIo, name, std::string("cannot be made a directory: ") + std::strerror(errno));
+      throw file_error(ErrorKind::kIo, name,
+                       "cannot be made a directory: " +
+                           (errno == EEXIST ? "'" + at.string() + "' is a file" : std::strerror(errno)));
     directories_.push_back({at.string()});
     directories_.back().slot = publish(at.string());
   }
