@@ -389,6 +389,22 @@ TEST(PaletteContainersMalformed, EveryByteOfAHeader) {
   EXPECT_LT(testing::peak_mib() - before, 200);
 }
 
+TEST(PaletteContainers, NormalsWhoseYIsDownAreNoneOfOurs) {
+  const ScratchDir dir;
+  const IndexedMap map = random_chain(8, 8, 12, 1);
+  for (const auto& [file, key] : {std::pair("m.ktx2", std::string("burnish:y\0up", 12)),
+                                  {"m.exr", std::string("burnish:y\0string\0\2\0\0\0up", 23)}}) {
+    write_indexed_map(dir / file, file_type_of(file), map);
+    std::string bytes = bytes_of(dir / file);
+    const std::size_t at = bytes.find(key);
+    ASSERT_NE(at, std::string::npos) << file;
+    bytes.replace(at + key.size() - 2, 2, "dn");
+    write_bytes(dir / file, bytes);
+    EXPECT_ERROR(read_indexed_map(dir / file, GreenAxis::kUp), ErrorKind::kUnsupported,
+                 "expected normals with burnish:y up, got 'dn'");
+  }
+}
+
 TEST(PaletteContainers, AFullDiskIsAnIoError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   for (const int side : {4, 900})

@@ -173,6 +173,12 @@ std::vector<MaterialInterval> materials_from_json(const std::string& text, const
   return out;
 }
 
+void require_y_up(const std::string& y, const std::string& file_name) {
+  if (y != "up")
+    throw file_error(ErrorKind::kUnsupported, file_name,
+                     "expected normals with burnish:y up, got '" + excerpt(y) + "'");
+}
+
 void require_room_for(const FileRef& file, std::int64_t width, std::int64_t height, std::int64_t bits) {
   constexpr std::uint64_t kMostExpansion = 1032;  // of deflate
   std::error_code unknown;

@@ -104,6 +104,7 @@ Palette extract_palette(const Imf::Header& header, const FileRef& file) {
                                 : std::vector<MaterialInterval>{{0, 0, int(palette.normals.size())}};
   if (const auto* space = header.findTypedAttribute<Imf::StringAttribute>("burnish:space"))
     palette.space = space_from_name(space->value(), file.name);
+  if (const auto* y = header.findTypedAttribute<Imf::StringAttribute>("burnish:y")) require_y_up(y->value(), file.name);
   validate(palette, file.name);
   return palette;
 }

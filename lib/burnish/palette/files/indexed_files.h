@@ -11,6 +11,8 @@ namespace burnish::detail {
 // What the formats carry as text beside the indices, and its checks.
 std::string materials_to_json(const std::vector<MaterialInterval>& materials);
 std::vector<MaterialInterval> materials_from_json(const std::string& json, const std::string& file_name);
+// kUnsupported unless the file's normals have +y up, as all of this room's do.
+void require_y_up(const std::string& y, const std::string& file_name);
 // kMalformed where no codec could unpack so many samples from the file: a few bytes must not make us ask for gigabytes.
 void require_room_for(const FileRef& file, std::int64_t width, std::int64_t height, std::int64_t bits);
 // kMalformed unless the intervals cover the palette in ascending order, normals have a length and indices are inside.

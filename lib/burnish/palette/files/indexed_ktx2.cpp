@@ -100,6 +100,7 @@ Palette palette_of(const KeyValues& values, const FileRef& file) {
   palette.materials = materials ? materials_from_json(*materials, file.name)
                                 : std::vector<MaterialInterval>{{0, 0, int(palette.normals.size())}};
   palette.space = space_from_name(text_of(values, "burnish:space").value_or("tangent"), file.name);
+  require_y_up(text_of(values, "burnish:y").value_or("up"), file.name);
   return palette;
 }
 

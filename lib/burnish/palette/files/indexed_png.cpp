@@ -49,6 +49,7 @@ Palette palette_from_metadata(const std::string& text, const FileRef& file) {
     if (const int format = json.value("format", 1); format != 1)
       throw file_error(ErrorKind::kUnsupported, file.name, "expected format 1, got " + std::to_string(format));
     palette.space = space_from_name(json.value("space", "tangent"), file.name);
+    require_y_up(json.value("y", "up"), file.name);
     const std::vector<double> flat = json.at("palette").get<std::vector<double>>();
     if (flat.size() % 3 != 0)
       throw file_error(ErrorKind::kMalformed, file.name, "expected three numbers a palette entry");
