@@ -230,6 +230,20 @@ TEST(FlatChart, RefusesWhatLiesOverItselfOrFacesBothWays) {
   EXPECT_FALSE(flatten(ball, all_of(ball)));
 }
 
+// A hexagon round an edge that has a corner in its middle on one side only: a needle fills the gap. With two of the
+// hexagon's corners raised, what is above the edge is laid out over what is below it.
+TEST(FlatChart, RefusesANeedleThatTurnsOver) {
+  for (const double raised : {0.0, 1.0}) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {-1, 0, 0}, {1, 0, 0}};
+    for (int i = 0; i < 6; i++)
+      mesh.positions.push_back({2 * std::cos(i * kPi / 3), 2 * std::sin(i * kPi / 3), i == 3 || i == 5 ? raised : 0});
+    mesh.triangles = {{1, 2, 0}, {0, 2, 4}, {0, 4, 5}, {0, 5, 1}, {2, 3, 4},
+                      {1, 5, 6}, {1, 6, 7}, {1, 7, 8}, {1, 8, 2}, {2, 8, 3}};
+    EXPECT_EQ(flatten(mesh, all_of(mesh)).has_value(), raised == 0) << raised;
+  }
+}
+
 TEST(FlatChart, OfASphereCapKeepsAreasNearly) {
   const Mesh cap = without_uvs(grid_mesh(
       24, 8,

@@ -21,6 +21,7 @@ struct Vec2d {
   friend bool operator==(const Vec2d&, const Vec2d&) = default;
 };
 
+inline double dot(Vec2d a, Vec2d b) { return a.x * b.x + a.y * b.y; }
 // Twice the signed area of the parallelogram's half: positive where b lies counter-clockwise of a.
 inline double cross(Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; }
 

@@ -2,7 +2,7 @@
 //
 // Of two pieces that share a border those become one whose union is the flattest and roundest, again and again
 // (hierarchical face clustering; Garland, Willmott and Heckbert, 2001), as long as the union faces one way: its area
-// seen along its mean normal is at least three quarters of its own. A sphere's cap of 60° is such a piece.
+// seen along its mean normal is at least 85 % of its own. A sphere's cap of 45° is such a piece.
 #pragma once
 
 #include <vector>

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
-#include "burnish/mesh/weld.h"
+#include "burnish/mesh/conjugate_gradients.h"
 
 namespace burnish {
 namespace {
@@ -14,7 +15,6 @@ constexpr int kRounds = 40, kSteps = 30;  // of relaxing, and of solving within 
 constexpr double kSolved = 1e-24;         // squared residual over that of edges left alone
 constexpr double kFlat = 1e-9;            // area over squared edges: below it a triangle has no shape to keep
 
-double dot(Vec2d a, Vec2d b) { return a.x * b.x + a.y * b.y; }
 Vec2d turned(Vec2d v, Vec2d rotation) {
   return {v.x * rotation.x - v.y * rotation.y, v.x * rotation.y + v.y * rotation.x};
 }
@@ -30,15 +30,15 @@ Shape shape_of(const Mesh& mesh, std::uint32_t t) {
   Shape s;
   const Vec3d a = mesh.position(t, 0), ab = mesh.position(t, 1) - a, ac = mesh.position(t, 2) - a, n = cross(ab, ac);
   const double base = length(ab);
-  if (!(length(n) > kFlat * (burnish::dot(ab, ab) + burnish::dot(ac, ac)))) return s;
+  if (!(length(n) > kFlat * (dot(ab, ab) + dot(ac, ac)))) return s;
   s.area2 = length(n);
-  s.corner = {Vec2d{0, 0}, Vec2d{base, 0}, Vec2d{burnish::dot(ab, ac) / base, s.area2 / base}};
+  s.corner = {Vec2d{0, 0}, Vec2d{base, 0}, Vec2d{dot(ab, ac) / base, s.area2 / base}};
   for (int c = 0; c < 3; c++)
     s.weight[c] = 0.5 * dot(s.corner[(c + 1) % 3] - s.corner[c], s.corner[(c + 2) % 3] - s.corner[c]) / s.area2;
   return s;
 }
 
-// Solves for the points whose edges come nearest, by weight, to the wanted ones: conjugate gradients on the Laplacian.
+// Solves for the points whose edges come nearest, by weight, to the wanted ones.
 class Relaxation {
  public:
   Relaxation(const FlatChart& chart, const std::vector<Shape>& shapes) : chart_(chart), shapes_(shapes) {
@@ -47,35 +47,23 @@ class Relaxation {
   }
 
   void round(std::vector<Vec2d>& points) const {
-    std::vector<Vec2d> residual(points.size()), step, product;
+    std::vector<Vec2d> residual(points.size());
     for_each_edge([&](std::size_t t, std::uint32_t a, std::uint32_t b, Vec2d edge, double w) {
       const Vec2d error = (turned(edge, rotation(t, points)) - (points[b] - points[a])) * w;
       residual[b] = residual[b] + error, residual[a] = residual[a] - error;
     });
-    step = residual;
-    double squared = sum(residual, residual);
-    for (int i = 0; i < kSteps && squared > kSolved * size_; i++) {
-      product.assign(points.size(), {});
-      for_each_edge([&](std::size_t, std::uint32_t a, std::uint32_t b, Vec2d, double w) {
-        const Vec2d d = (step[b] - step[a]) * w;
-        product[b] = product[b] + d, product[a] = product[a] - d;
-      });
-      const double curvature = sum(step, product);
-      if (!(curvature > 0)) return;
-      const double far = squared / curvature;
-      for (std::size_t p = 0; p < points.size(); p++)
-        points[p] = points[p] + step[p] * far, residual[p] = residual[p] - product[p] * far;
-      const double before = squared;
-      squared = sum(residual, residual);
-      for (std::size_t p = 0; p < points.size(); p++) step[p] = residual[p] + step[p] * (squared / before);
-    }
+    solve_by_conjugate_gradients(points, residual, kSteps, kSolved * size_,
+                                 [&](const std::vector<Vec2d>& step) { return laplacian(step); });
   }
 
  private:
-  static double sum(const std::vector<Vec2d>& a, const std::vector<Vec2d>& b) {
-    double total = 0;
-    for (std::size_t i = 0; i < a.size(); i++) total += dot(a[i], b[i]);
-    return total;
+  std::vector<Vec2d> laplacian(const std::vector<Vec2d>& points) const {
+    std::vector<Vec2d> out(points.size());
+    for_each_edge([&](std::size_t, std::uint32_t a, std::uint32_t b, Vec2d, double w) {
+      const Vec2d d = (points[b] - points[a]) * w;
+      out[b] = out[b] + d, out[a] = out[a] - d;
+    });
+    return out;
   }
   // Body(triangle, from, to, the edge in the triangle's own plane, weight).
   template <typename Body>
@@ -121,7 +109,7 @@ FlatChart projected(const Mesh& mesh, const std::vector<std::uint32_t>& triangle
     for (int c = 0; c < 3; c++) {
       const Vec3d p = mesh.position(t, c);
       const auto [at, added] = number.try_emplace({p.x, p.y, p.z}, std::uint32_t(chart.points.size()));
-      if (added) chart.points.push_back({burnish::dot(p, right), burnish::dot(p, up)});
+      if (added) chart.points.push_back({dot(p, right), dot(p, up)});
       corners[c] = at->second;
     }
     for (int c = 0; c < 3; c++) edges.emplace(corners[c], corners[(c + 1) % 3]);
@@ -156,13 +144,19 @@ double stretch(const Shape& s, const std::array<Vec2d, 3>& p) {
   return std::max(most, most / determinant);
 }
 
-// No triangle turned over and no border across another: then no two places of the chart lie on one.
+// Of a needle, which has no shape to keep, by more than what counts as flat.
+bool is_turned_over(const std::array<Vec2d, 3>& p) {
+  const Vec2d ab = p[1] - p[0], ac = p[2] - p[0];
+  return cross(ab, ac) < -kFlat * (dot(ab, ab) + dot(ac, ac));
+}
+
+// No triangle turned over and no border across another. That leaves no overlaps but those of borders that fold back at
+// an end they share, and of a chart that winds round twice within one border.
 bool is_sound(const FlatChart& chart, const std::vector<Shape>& shapes) {
   for (std::size_t t = 0; t < shapes.size(); t++) {
     const Corners& c = chart.corners[t];
-    if (shapes[t].area2 > 0 &&
-        !(stretch(shapes[t], {chart.points[c[0]], chart.points[c[1]], chart.points[c[2]]}) <= kMostStretch))
-      return false;
+    const std::array<Vec2d, 3> p{chart.points[c[0]], chart.points[c[1]], chart.points[c[2]]};
+    if (shapes[t].area2 > 0 ? !(stretch(shapes[t], p) <= kMostStretch) : is_turned_over(p)) return false;
   }
   for (std::size_t i = 0; i < chart.borders.size(); i++)
     for (std::size_t j = 0; j < i; j++)

@@ -20,8 +20,9 @@ struct FlatChart {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> borders;  // edges of one triangle only, into points
 };
 
-// None where triangles would turn over or overlap, or be stretched or squeezed to more than kMostStretch times their
-// size in any direction. The area is that of the triangles in space. One triangle is always possible.
+// None where triangles would turn over, borders would cross, or triangles be stretched or squeezed to more than
+// kMostStretch times their size in any direction. The area is that of the triangles in space. One triangle is always
+// possible.
 constexpr double kMostStretch = 1.6;
 std::optional<FlatChart> flatten(const Mesh& mesh, const std::vector<std::uint32_t>& triangles);
 

@@ -13,7 +13,6 @@
 #include <bit>
 #include <charconv>
 #include <cstring>
-#include <limits>
 
 #include "burnish/core/error.h"
 #include "burnish/mesh/files/ply_header.h"

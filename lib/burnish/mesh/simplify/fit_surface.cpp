@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "burnish/core/parallel.h"
+#include "burnish/mesh/conjugate_gradients.h"
 #include "burnish/mesh/mesh_rays.h"
 #include "burnish/mesh/weld.h"
 
@@ -26,12 +27,6 @@ struct Pull {
 };
 
 using Moves = std::vector<Vec3d>;  // of each vertex
-
-double dot(const Moves& a, const Moves& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); i++) sum += burnish::dot(a[i], b[i]);
-  return sum;
-}
 
 std::vector<double> vertex_areas(const Mesh& mesh) {
   std::vector<double> out(mesh.positions.size());
@@ -90,22 +85,13 @@ class Fit {
     return out;
   }
 
-  // By conjugate gradients.
   Moves solved() const {
     Moves moves(mesh_.positions.size()), rest(moves.size());
     for (const Pull& p : pulls_)
       for (int c = 0; c < 3; c++)
         if (!pinned_[p.vertex[c]]) rest[p.vertex[c]] += p.offset * (p.weight * p.share[c]);
-    Moves step = rest;
-    const double first = dot(rest, rest);
-    double squared = first;
-    for (int i = 0; i < kSteps && squared > kSolved * first; i++) {
-      const Moves effect = product(step);
-      const double far = squared / dot(step, effect);
-      for (std::size_t v = 0; v < moves.size(); v++) moves[v] += step[v] * far, rest[v] -= effect[v] * far;
-      const double before = std::exchange(squared, dot(rest, rest));
-      for (std::size_t v = 0; v < moves.size(); v++) step[v] = rest[v] + step[v] * (squared / before);
-    }
+    solve_by_conjugate_gradients(moves, rest, kSteps, kSolved * dot(rest, rest),
+                                 [&](const Moves& step) { return product(step); });
     return moves;
   }
 
@@ -121,7 +107,7 @@ class Fit {
           moves_at_all |= m != Vec3d{};
         }
         const Vec3d before = mesh_.perpendicular(t), after = cross(p[1] - p[0], p[2] - p[0]);
-        if (!moves_at_all || burnish::dot(before, after) >= kMostTurn * length(before) * length(after)) continue;
+        if (!moves_at_all || dot(before, after) >= kMostTurn * length(before) * length(after)) continue;
         for (const std::uint32_t v : mesh_.triangles[t]) moves[same_[v]] = {};
         again = true;
       }
