@@ -16,7 +16,7 @@ namespace {
 constexpr int kRounds = 8, kSteps = 60;  // of finding nearest places, and of solving within each
 constexpr double kSolved = 1e-16;        // squared residual, as a part of the first
 constexpr double kInertia = 0.02;        // of what holds a vertex in place, as a part of what moves it
-constexpr double kMostTurn = 0.5;        // cosine between a triangle's normals before and after a round
+constexpr double kMostTurn = 0.5;        // cosine between a triangle's normals before and after
 
 // A point of the other mesh: its weight, and where on the mesh it is nearest.
 struct Pull {
@@ -38,6 +38,7 @@ std::vector<double> vertex_areas(const Mesh& mesh) {
 class Fit {
  public:
   Fit(Mesh& mesh, const Mesh& to) : mesh_(mesh), to_(to), areas_(vertex_areas(to)), same_(weld(mesh.positions)) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); t++) perpendiculars_.push_back(mesh.perpendicular(t));
     pinned_.resize(mesh.positions.size());
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;  // of edges, in each direction
     for (const Corners& t : mesh.triangles)
@@ -106,8 +107,9 @@ class Fit {
           p[c] = mesh_.position(t, c) + m;
           moves_at_all |= m != Vec3d{};
         }
-        const Vec3d before = mesh_.perpendicular(t), after = cross(p[1] - p[0], p[2] - p[0]);
-        if (!moves_at_all || dot(before, after) >= kMostTurn * length(before) * length(after)) continue;
+        const Vec3d &before = perpendiculars_[t], after = cross(p[1] - p[0], p[2] - p[0]);
+        if (!moves_at_all || before == Vec3d{} || dot(before, after) > kMostTurn * length(before) * length(after))
+          continue;
         for (const std::uint32_t v : mesh_.triangles[t]) moves[same_[v]] = {};
         again = true;
       }
@@ -117,7 +119,8 @@ class Fit {
   Mesh& mesh_;
   const Mesh& to_;
   std::vector<double> areas_;
-  std::vector<std::uint32_t> same_;  // vertices at one place are one
+  std::vector<Vec3d> perpendiculars_;  // of the triangles before the first round
+  std::vector<std::uint32_t> same_;    // vertices at one place are one
   std::vector<bool> pinned_;
   std::vector<Pull> pulls_;
   std::vector<double> inertia_;

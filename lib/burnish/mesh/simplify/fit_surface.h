@@ -10,8 +10,9 @@
 
 namespace burnish {
 
-// Triangles stay as they are, and none turns over. Vertices on edges of more than two triangles, or of two that turn
-// opposite ways, keep their places. `mesh` has positions only. Runs in parallel; sums are added in the points' order.
+// Triangles stay as they are, and none turns by 60° or more from where it was. Vertices on edges of more than two
+// triangles, or of two that turn opposite ways, keep their places. `mesh` has positions only, whose surface single
+// precision can hold (require_traceable). Runs in parallel; sums are added in the points' order.
 void fit_surface(Mesh& mesh, const Mesh& to, const Progress& progress = {});
 
 }  // namespace burnish
