@@ -3,128 +3,13 @@
 #include <cmath>
 #include <limits>
 
-#include "../mesh_patterns.h"
-#include "burnish/core/parallel.h"
-#include "burnish/mesh/bake/displaced_normals.h"
 #include "burnish/mesh/bake/uv_raster.h"
-#include "burnish/mesh/tangent_frames.h"
 #include "expect_error.h"
-#include "scratch_dir.h"
+#include "mesh_displaced_normals_fixture.h"
+#include "on_threads.h"
 
 namespace burnish {
 namespace {
-
-using testing::ScratchDir;
-
-HeightField field_of(int width, int height, const std::function<double(double u, double v)>& value) {
-  HeightField field{"h.exr", Image(width, height), {}, false};
-  for (int y = 0; y < height; y++)
-    for (int x = 0; x < width; x++) *field.heights.at(x, y) = float(value((x + 0.5) / width, 1 - (y + 0.5) / height));
-  return field;
-}
-
-double waves(double u, double v) { return std::sin(9 * u + 3 * v) * std::cos(7 * v - 2 * u) + 0.3 * u * v; }
-
-HeightMapOptions with_height(double height) {
-  HeightMapOptions options;
-  options.height = height;
-  return options;
-}
-
-Vec3d normal_of(const DisplacedNormals& map, int x, int y) {
-  return Vec3d(map.normals[std::size_t(y) * map.width + x]);
-}
-
-// The tangent-space map of burnish-normals for a map of this extent.
-std::vector<Vec3f> tangent_space(const HeightField& field, HeightMapOptions options, double size_u, double size_v) {
-  const ScratchDir dir;
-  options.size_u = size_u, options.size_v = size_v;
-  write_image(dir / "h.exr", FileType::kExr, SampleType::kFloat, field.heights);
-  if (!field.mask.data.empty()) {
-    Image mask(field.mask.width, field.mask.height);
-    for (std::size_t i = 0; i < mask.data.size(); i++) mask.data[i] = field.mask.data[i];
-    write_image(dir / "m.exr", FileType::kExr, SampleType::kFloat, mask);
-    options.mask = FileRef(dir / "m.exr");
-  }
-  const NormalMapTarget target{dir / "n.exr", FileType::kExr, SampleType::kFloat, {}};
-  convert_height_map(dir / "h.exr", options, target);
-  int w, h;
-  return read_normals(dir / "n.exr", {}, &w, &h);
-}
-
-struct Difference {
-  double worst_deg = 0, mean_square_light = 0;
-};
-
-// Between the object-space map and a tangent-space map in the mesh's frames, over the covered texels; lit by Lambert.
-Difference from_tangent_space(Mesh mesh, const DisplacedNormals& object, const std::vector<Vec3f>& tangent) {
-  add_smooth_normals(mesh);
-  const TangentFrames frames = tangent_frames(mesh);
-  const UvRaster raster(mesh, object.width, object.height);
-  std::vector<std::uint32_t> triangles(object.width);
-  std::vector<std::uint8_t> several(object.width);
-  const Vec3d light = normalized(Vec3d{1, 2, 3});
-  Difference d;
-  std::size_t count = 0;
-  for (int y = 0; y < object.height; y++) {
-    raster.row(y, triangles.data(), several.data());
-    for (int x = 0; x < object.width; x++) {
-      if (triangles[x] == UvRaster::kNone) continue;
-      const FrameAt frame = frame_at(mesh, frames, raster.point(triangles[x], x, y));
-      const Vec3d a = normal_of(object, x, y), b = frame.to_object(Vec3d(tangent[std::size_t(y) * object.width + x]));
-      d.worst_deg = std::max(d.worst_deg, degrees(angle_rad(a, b)));
-      d.mean_square_light += std::pow(std::max(0.0, dot(a, light)) - std::max(0.0, dot(b, light)), 2), count++;
-    }
-  }
-  d.mean_square_light /= double(count);
-  return d;
-}
-
-// A flat sheet anywhere in space, `a` along u and `b` along v.
-Mesh sheet(Vec3d a, Vec3d b, const GridUv& uv = identity_uv) {
-  return grid_mesh(
-      3, 2,
-      [&](double u, double v) {
-        return Vec3d{4, -1, 2} + a * u + b * v;
-      },
-      uv);
-}
-const Vec3d kA = Vec3d{1, 2, 2} * 0.7, kB = Vec3d{2, 1, -2} * 0.4;  // lengths 2.1 and 1.2
-
-TEST(DisplacedNormals, OnAFlatSheetTheyAreTheTangentSpaceOnes) {
-  HeightField field = field_of(40, 24, waves);
-  for (const bool masked : {false, true}) {
-    if (masked) {
-      field.mask = ByteImage(40, 24);
-      for (std::size_t i = 0; i < field.mask.data.size(); i++) field.mask.data[i] = i % 7 != 0 && i % 40 != 13;
-    }
-    for (const int neighbors : {4, 8, 80})
-      for (const Wrap wrap : {Wrap::kFit, Wrap::kClamp, Wrap::kRepeat, Wrap::kMirror})
-        for (const FitWeights weights : {FitWeights::kUniform, FitWeights::kGaussian}) {
-          HeightMapOptions options = with_height(0.3);
-          options.neighbors = neighbors, options.weights = weights, options.mid_level = 0.4;
-          options.wrap_u = wrap, options.wrap_v = wrap;
-          const DisplacedNormals object = displaced_normals(sheet(kA, kB), field, options);
-          const Difference d =
-              from_tangent_space(sheet(kA, kB), object, tangent_space(field, options, length(kA), length(kB)));
-          EXPECT_LT(d.worst_deg, 1e-4) << neighbors << " neighbors, wrap " << int(wrap) << (masked ? ", masked" : "");
-        }
-  }
-}
-
-TEST(DisplacedNormals, InAMirroredMapToo) {
-  const auto mirrored = [](double u, double v) { return Vec2d{1 - u, v}; };
-  const HeightField field = field_of(32, 32, waves);
-  const HeightMapOptions options = with_height(0.2);
-  const DisplacedNormals object = displaced_normals(sheet(kA, kB, mirrored), field, options);
-  const std::vector<Vec3f> tangent = tangent_space(field, options, length(kA), length(kB));
-  EXPECT_LT(from_tangent_space(sheet(kA, kB, mirrored), object, tangent).worst_deg, 1e-4);
-  // What rises along u falls along kA here.
-  const HeightField ramp = field_of(32, 32, [](double u, double) { return u; });
-  const Vec3d n = normal_of(displaced_normals(sheet(kA, kB, mirrored), ramp, options), 16, 16);
-  EXPECT_GT(dot(n, kA), 0.05);
-  EXPECT_GT(dot(n, cross(kA, kB)), 0);
-}
 
 // A map that is sheared and scaled differently along its sides: the definition, with the gradient from the sheet's
 // plane.
@@ -187,17 +72,6 @@ TEST(DisplacedNormals, OnASphereTheyConvergeToTheTrueOnes) {
   EXPECT_LT(finer, 0.55 * fine);
 }
 
-// u once round a tube of circumference 2, v along its length 1.
-Mesh tube(int columns) {
-  return grid_mesh(
-      columns, 4,
-      [](double u, double v) {
-        const Vec2d c = circle(u);
-        return Vec3d{c.x / kPi, c.y / kPi, v};
-      },
-      identity_uv);
-}
-
 TEST(DisplacedNormals, ABentSheetCountsByItsHeight) {
   const double radius = 1 / kPi, slope = 0.5;
   // Turns per unit of u: the ramp rises by `slope` per unit of length at the tube's own radius.
@@ -232,19 +106,6 @@ TEST(DisplacedNormals, AConstantHeightMovesNoNormal) {
     }
     EXPECT_LT(map.max_slope_deg, 1e-6);
   }
-}
-
-// The same displacement by either way, lit: more than 45 dB.
-TEST(DisplacedNormals, ObjectSpaceIsTangentSpaceInTheFramesOfAnIsometricMap) {
-  const HeightField field = field_of(512, 256, [](double u, double v) {
-    return std::sin(16 * kPi * u) * std::cos(10 * kPi * v) + 0.4 * std::sin(34 * kPi * u + 20 * kPi * v);
-  });
-  HeightMapOptions options = with_height(0.01);  // slopes of up to 25° and more
-  options.wrap_u = Wrap::kRepeat;
-  const DisplacedNormals object = displaced_normals(tube(64), field, options);
-  EXPECT_GT(object.max_slope_deg, 25);
-  const Difference d = from_tangent_space(tube(64), object, tangent_space(field, options, 2, 1));
-  EXPECT_GT(-10 * std::log10(d.mean_square_light), 45);
 }
 
 TEST(DisplacedNormals, AFitKeepsToItsChart) {
@@ -297,10 +158,8 @@ TEST(DisplacedNormals, WhereCornerNormalsCancelOutTheTrianglesOwnCounts) {
 TEST(DisplacedNormals, TheSameOnAnyNumberOfThreads) {
   const HeightField field = field_of(100, 60, waves);
   const Mesh mesh = grid_mesh(20, 10, torus, identity_uv);
-  const ThreadLimit one(1);
-  const DisplacedNormals alone = displaced_normals(mesh, field, {});
-  const ThreadLimit all(0);
-  const DisplacedNormals together = displaced_normals(mesh, field, {});
+  const auto displace = [&] { return displaced_normals(mesh, field, {}); };
+  const DisplacedNormals alone = on_threads(1, displace), together = on_threads(4, displace);
   EXPECT_EQ(alone.normals, together.normals);
   EXPECT_EQ(alone.mean_tilt_deg, together.mean_tilt_deg);
 }

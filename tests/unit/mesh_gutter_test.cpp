@@ -3,8 +3,8 @@
 #include <random>
 #include <tuple>
 
-#include "burnish/core/parallel.h"
 #include "burnish/mesh/bake/gutter.h"
+#include "on_threads.h"
 
 namespace burnish {
 namespace {
@@ -52,10 +52,8 @@ TEST(Gutter, IsTheSameOnAnyNumberOfThreads) {
   std::mt19937 random(5);
   ByteImage covered(300, 200);
   for (std::uint8_t& c : covered.data) c = random() % 50 == 0;
-  const ThreadLimit one(1);
-  const auto alone = gutter_sources(covered, 12);
-  const ThreadLimit all(0);
-  EXPECT_EQ(gutter_sources(covered, 12), alone);
+  const auto sources = [&] { return gutter_sources(covered, 12); };
+  EXPECT_EQ(on_threads(4, sources), on_threads(1, sources));
 }
 
 }  // namespace
