@@ -1,11 +1,10 @@
 // burnish-normals: displacement map to normal map.
-#include "burnish/core/counted.h"
 #include "burnish/core/error.h"
 #include "burnish/mesh/bake/baked_files.h"
 #include "burnish/mesh/bake/displaced_normals.h"
 #include "burnish/mesh/bake/gutter.h"
-#include "burnish/mesh/files/mesh_io.h"
 #include "burnish/normal/height_map.h"
+#include "cli/mesh_input.h"
 #include "cli/options.h"
 #include "cli/tool.h"
 
@@ -146,14 +145,11 @@ int main(int argc, char** argv) {
     }
     require_encodable(coding, sample, target.file.name);
     const HeightField field = read_height_field(height, options);
-    DisplacedNormals map = displaced_normals(read_mesh(mesh_file), field, options, tool.progress());
+    DisplacedNormals map = displaced_normals(read_mesh(tool, mesh_file), field, options, tool.progress());
     fill_gutter(gutter_sources(map.covered, mesh.padding), map.normals);
     write_baked_normals(target, NormalSpace::kObject, map.width, map.height, map.normals);
     if (field.colour_channels_differ) warn_of_colours();
-    if (map.overlapped_texels)
-      tool.warn("'" + mesh.file + "': " + counted(map.overlapped_texels, "texel") +
-                (map.overlapped_texels == 1 ? " is" : " are") +
-                " covered by more than one triangle; the first one's normal counts");
+    warn_of_overlaps(tool, mesh.file, map.overlapped_texels, "normal");
     return report_of(map);
   });
 }

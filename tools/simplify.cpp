@@ -4,8 +4,8 @@
 #include "burnish/core/counted.h"
 #include "burnish/core/error.h"
 #include "burnish/mesh/atlas/atlas.h"
-#include "burnish/mesh/files/mesh_io.h"
 #include "burnish/mesh/simplify/decimate.h"
+#include "cli/mesh_input.h"
 #include "cli/options.h"
 #include "cli/tool.h"
 
@@ -38,7 +38,9 @@ int main(int argc, char** argv) {
   app.add_option("-o,--output", output, "Mesh to write: .obj or .ply; .off or .stl without texture coordinates")
       ->required()
       ->type_name("LOW");
-  app.add_option("--faces", faces, "At most so many triangles (default: all are kept)")
+  app.add_option(
+         "--faces", faces,
+         "Take triangles away down to so many; smooth normals take the place of MESH's own (default: all are kept)")
       ->check(in_range(4, std::numeric_limits<int>::max()))
       ->type_name("N");
   CLI::Option* atlas =
@@ -58,14 +60,11 @@ int main(int argc, char** argv) {
       throw file_error(ErrorKind::kUnsupported, output, "texture coordinates are written as .obj or .ply only");
     const FileRef file = tool.read(input), target = tool.write(output);
     MeshReadStats read;
-    Mesh mesh = read_mesh(file, &read);
+    Mesh mesh = read_mesh(tool, file, &read);
     if (new_atlas) mesh.uvs.clear(), mesh.triangle_uvs.clear();
     if (mesh.has_uvs() && !holds_uvs)
       throw file_error(ErrorKind::kUnsupported, output,
                        "'" + input + "' has texture coordinates, which are written as .obj or .ply only");
-    if (read.dropped_faces)
-      tool.warn("'" + input + "': " + counted(read.dropped_faces, "face") + " without area " +
-                (read.dropped_faces == 1 ? "is" : "are") + " left out");
     if (!read.left_out.empty())
       tool.warn("'" + input + "': groups, objects and materials are not kept (" + listed(read.left_out) + ")");
     const std::size_t wanted = faces ? std::size_t(faces) : mesh.triangles.size();

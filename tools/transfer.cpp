@@ -3,11 +3,12 @@
 
 #include <charconv>
 #include <cstdio>
+#include <utility>
 
 #include "burnish/core/counted.h"
 #include "burnish/core/error.h"
 #include "burnish/mesh/bake/baked_files.h"
-#include "burnish/mesh/files/mesh_io.h"
+#include "cli/mesh_input.h"
 #include "cli/options.h"
 #include "cli/tool.h"
 
@@ -101,7 +102,8 @@ int main(int argc, char** argv) {
     const NormalMapTarget target{tool.write(output.path), type, sample, coding};
     require_encodable(coding, sample, target.file.name);
     displacement.reserve(tool), mask.reserve(tool);
-    TransferMaps maps = transfer_detail(read_mesh(low_file), read_mesh(high_file), options, tool.progress());
+    Mesh coarse = read_mesh(tool, low_file), detailed = read_mesh(tool, high_file);
+    TransferMaps maps = transfer_detail(std::move(coarse), std::move(detailed), options, tool.progress());
     write_baked_normals(target, options.space, maps.width, maps.height, maps.normals);
     if (!displacement.path.empty())
       write_displacement(displacement.file, displacement.type, maps.displacement, maps.max_distance);
@@ -113,10 +115,7 @@ int main(int argc, char** argv) {
       tool.warn(std::to_string(maps.missed_texels) + " of " + counted(maps.covered_texels, "covered texel") + " (" +
                 percent(maps.missed_texels, maps.covered_texels) + ") found no detail of '" + high +
                 "' and took the normal of '" + low + "'; a larger --max-distance or --cage may reach it");
-    if (maps.overlapped_texels)
-      tool.warn("'" + low + "': " + counted(maps.overlapped_texels, "texel") +
-                (maps.overlapped_texels == 1 ? " is" : " are") +
-                " covered by more than one triangle; the first one's detail counts");
+    warn_of_overlaps(tool, low, maps.overlapped_texels, "detail");
     return {{"covered_texels", maps.covered_texels},
             {"missed_texels", maps.missed_texels},
             {"overlapped_texels", maps.overlapped_texels},

@@ -337,6 +337,17 @@ half_square() {
   same_bytes flat.exr flat2.exr
 }
 
+@test "--mesh: faces without area are left out, with a warning" {
+  make_image bumps 16 16 h.png
+  half_square >half.obj
+  { half_square; echo 'f 1/1 2/2 2/2'; } >more.obj
+  succeeds burnish-normals h.png -o whole.exr --mesh half.obj
+  call burnish-normals h.png -o n.exr --mesh more.obj
+  [ "$status" -eq 0 ]
+  [ "$(cat err)" = "burnish-normals: warning: 'more.obj': 1 face without area is left out" ]
+  same_bytes n.exr whole.exr
+}
+
 @test "--padding: gutters of the mesh's charts" {
   make_image slope-u 16 8 h.exr float
   half_square >half.obj

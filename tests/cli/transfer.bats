@@ -199,12 +199,26 @@ sphere() {
 
 @test "meshes that overlap themselves in the map get a warning" {
   square 0 1 >low.obj
-  square 1 1 | sed 's/^f.*/&/; s/^v .* 1$/&/' | grep '^v ' >>low.obj
+  square 1 1 | grep '^v ' >>low.obj
   printf 'f 5/1 6/2 7/3\n' >>low.obj
   square 0 1 >high.obj
   call burnish-transfer low.obj high.obj -o x.png --size 8 --report r.json
   [ "$status" -eq 0 ]
   grep -qF "'low.obj': $(value overlapped_texels r.json) texels are covered by more than one triangle" err
+}
+
+@test "faces without area are left out of either mesh, with a warning" {
+  square 0 1 >low.obj
+  square 0.1 1 >high.obj
+  succeeds burnish-transfer low.obj high.obj -o whole.exr --size 8
+  echo 'f 1/1 2/2 1/1' >>low.obj
+  printf 'f 1/1 1/1 2/2\nf 3/3 4/4 3/3\n' >>high.obj
+  call burnish-transfer low.obj high.obj -o n.exr --size 8
+  [ "$status" -eq 0 ]
+  [ "$(cat err)" = "burnish-transfer: warning: 'low.obj': 1 face without area is left out
+burnish-transfer: warning: 'high.obj': 2 faces without area are left out" ]
+  same_bytes n.exr whole.exr
+  succeeds burnish-transfer low.obj high.obj -o n.exr --size 8 -q
 }
 
 @test "meshes that do not serve: each with its message, and nothing left behind" {
