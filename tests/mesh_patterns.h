@@ -60,6 +60,10 @@ inline Vec3d torus(double u, double v) {
   const double r = 1 + 0.4 * b.x;
   return {r * a.y, 0.4 * b.y, r * a.x};
 }
+inline Vec3d bumpy_sphere(double u, double v) {
+  const Vec3d p = unit_sphere(u, v);
+  return p * (1 + 0.03 * std::sin(14 * p.x + 3 * p.y) * std::cos(13 * p.y - 4 * p.z) * std::cos(12 * p.z));
+}
 inline Vec3d bumpy_sheet(double u, double v) {
   return {u, v, 0.1 * std::sin(7 * u + 2 * v) * std::cos(5 * v - 3 * u * u)};
 }
@@ -84,6 +88,7 @@ inline Mesh split_uvs(Mesh mesh) {
 inline Mesh named_mesh(const std::string& name, int n) {
   static const std::map<std::string, std::function<Mesh(int)>> table{
       {"sphere", [](int k) { return grid_mesh(2 * k, k, unit_sphere, identity_uv); }},
+      {"bumpy-sphere", [](int k) { return grid_mesh(2 * k, k, bumpy_sphere, identity_uv); }},
       {"mirrored-sphere", [](int k) { return grid_mesh(2 * k, k, unit_sphere, mirrored_uv); }},
       {"torus", [](int k) { return grid_mesh(2 * k, k, torus, identity_uv); }},
       {"mirrored-torus", [](int k) { return grid_mesh(2 * k, k, torus, mirrored_uv); }},
