@@ -1,0 +1,30 @@
+// How far a table, looked up bilinearly, is from its function.
+#pragma once
+
+#include "burnish/brdf/tables/lookup_table.h"
+#include "burnish/core/file_type.h"
+
+namespace burnish {
+
+struct TableErrors {
+  double max_abs = 0, rms = 0;  // over the whole domain, ends included, and all channels
+  double wrap = 0;              // offset half: largest where a repeat filter mixes the two ends; else 0
+};
+
+// Asked at 64 steps from texel to texel, at 8 in each direction where there are two. In parallel, summed in a fixed
+// order.
+TableErrors table_errors(const LookupFunction& function, const LookupTable& table);
+
+// The largest value, which integer files divide by (FORMATS: burnish:scale); 1 where all are 0.
+double table_scale(const LookupTable& table);
+
+// What a file of such samples gives back of the texels; integers hold value / scale.
+LookupTable as_stored(const LookupTable& table, SampleType sample);
+
+// The smallest table, with sides that are powers of two, whose error as stored is at most `max_error`: of two
+// dimensions the fewest texels, then the squarest, then the wider. kUsage where none of 2²² texels is good
+// enough.
+LookupTable smallest_table(const LookupFunction& function, TableSampling sampling, TableLayout layout,
+                           SampleType sample, double max_error);
+
+}  // namespace burnish
