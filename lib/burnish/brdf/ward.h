@@ -5,8 +5,8 @@
 //   E(m, d) = exp(−2m/(1+d)), m = (h·t/α_x)² + (h·b/α_y)², d = h·n
 //
 // with h = (l+v)/‖l+v‖. 0 where light or view are below the surface or on it. f_r is reciprocal. The albedo is k_s for
-// small α seen from straight above, falls with the cosine of the view, and stays below k_s up to 88° from the normal for
-// α of at most ½; in the last degree 1/√p lets it grow without bound, as is known of the model.
+// small α seen from straight above, falls with the cosine of the view, and stays below k_s up to 88° from the normal
+// for α of at most ½; in the last degree 1/√p lets it grow without bound, as is known of the model.
 #pragma once
 
 #include <algorithm>
