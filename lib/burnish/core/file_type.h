@@ -10,6 +10,8 @@ enum class SampleType { kUint8, kUint16, kHalf, kFloat };
 // The last two hold indexed normal maps only (palette/indexed_map.h): what reads and writes images here refuses them.
 enum class FileType { kPng, kTga, kBmp, kTiff, kExr, kKtx2, kDds };
 
+// Those that hold [0,1] in steps.
+inline bool is_integer(SampleType type) { return type == SampleType::kUint8 || type == SampleType::kUint16; }
 // "uint8", "uint16", "half", "float"
 const char* name(SampleType type);
 // "PNG", "TGA", …

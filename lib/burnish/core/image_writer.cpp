@@ -9,6 +9,7 @@
 #include "burnish/core/codecs.h"
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
+#include "burnish/core/samples.h"
 
 namespace burnish {
 
@@ -89,16 +90,14 @@ ImageWriter::~ImageWriter() = default;
 
 void ImageWriter::write_rows(int count, const float* rows) {
   const std::size_t samples = std::size_t(count) * impl_->spec.width * impl_->spec.nchannels;
-  if (impl_->sample != SampleType::kUint8 && impl_->sample != SampleType::kUint16) {
+  if (!is_integer(impl_->sample)) {
     impl_->write(count, rows, OIIO::TypeDesc::FLOAT);
     return;
   }
   impl_->converted.resize(samples * to_oiio(impl_->sample).size());
   const auto round = [&](auto* to, float max) {
-    for (std::size_t i = 0; i < samples; i++) {
-      const float v = std::min(std::max(rows[i], 0.f), 1.f);
-      to[i] = static_cast<std::remove_reference_t<decltype(*to)>>(v * max + 0.5f);
-    }
+    for (std::size_t i = 0; i < samples; i++)
+      to[i] = static_cast<std::remove_reference_t<decltype(*to)>>(integer_sample(rows[i], max));
   };
   if (impl_->sample == SampleType::kUint8) round(reinterpret_cast<std::uint8_t*>(impl_->converted.data()), 255.f);
   else round(reinterpret_cast<std::uint16_t*>(impl_->converted.data()), 65535.f);

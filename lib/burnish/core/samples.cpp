@@ -1,9 +1,8 @@
 #include "burnish/core/samples.h"
 
-#include <OpenImageIO/imageio.h>
+#include <cstdint>
 
-#include <algorithm>
-#include <cmath>
+#include "burnish/core/codecs.h"
 
 namespace burnish {
 
@@ -12,13 +11,14 @@ void round_to_samples(SampleType type, std::vector<float>& values) {
     case SampleType::kUint8:
     case SampleType::kUint16: {
       const float most = type == SampleType::kUint8 ? 255.f : 65535.f;
-      for (float& v : values) v = std::floor(std::clamp(v, 0.f, 1.f) * most + 0.5f) / most;
+      for (float& v : values) v = float(integer_sample(v, most)) / most;
       return;
     }
     case SampleType::kHalf: {
+      const OIIO::TypeDesc half_type = detail::to_oiio(type);
       std::vector<std::uint16_t> halves(values.size());
-      OIIO::convert_pixel_values(OIIO::TypeFloat, values.data(), OIIO::TypeHalf, halves.data(), int(values.size()));
-      OIIO::convert_pixel_values(OIIO::TypeHalf, halves.data(), OIIO::TypeFloat, values.data(), int(values.size()));
+      OIIO::convert_pixel_values(OIIO::TypeFloat, values.data(), half_type, halves.data(), int(values.size()));
+      OIIO::convert_pixel_values(half_type, halves.data(), OIIO::TypeFloat, values.data(), int(values.size()));
       return;
     }
     case SampleType::kFloat:

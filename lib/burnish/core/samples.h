@@ -1,15 +1,17 @@
 // What a file's samples keep of a number.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "burnish/core/file_type.h"
 
 namespace burnish {
 
-inline bool is_integer(SampleType type) { return type == SampleType::kUint8 || type == SampleType::kUint16; }
+// The integer from 0 to `most` that stands for a value of [0,1]: rounded half up; beyond the ends, the ends.
+inline int integer_sample(float value, float most) { return int(std::min(std::max(value, 0.f), 1.f) * most + 0.5f); }
 
-// Rounds to what a file of that type, written and read back here, gives: integers hold [0,1], rounded half up.
+// Rounds to what a file of that type, written and read back here, gives.
 void round_to_samples(SampleType type, std::vector<float>& values);
 
 }  // namespace burnish

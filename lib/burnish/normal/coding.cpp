@@ -129,7 +129,7 @@ void encode_biased(const Vec3f* in, int count, float y_sign, float max, float ha
 }  // namespace
 
 void require_encodable(const NormalCoding& coding, SampleType sample, const std::string& name) {
-  if (coding.encoding == NormalEncoding::kSigned && (sample == SampleType::kUint8 || sample == SampleType::kUint16))
+  if (coding.encoding == NormalEncoding::kSigned && is_integer(sample))
     throw file_error(ErrorKind::kUnsupported, name,
                      std::string("the signed encoding needs half or float samples, not ") + burnish::name(sample));
 }

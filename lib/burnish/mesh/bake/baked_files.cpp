@@ -11,7 +11,7 @@ void write_baked_normals(const NormalMapTarget& target, NormalSpace space, int w
                          const std::vector<Vec3f>& normals) {
   require_encodable(target.coding, target.sample, target.file.name);
   ImageWriter writer(target.file, target.type, target.sample, width, height, 3, space_attributes(target.type, space));
-  const bool stored = target.sample == SampleType::kUint8 || target.sample == SampleType::kUint16;
+  const bool stored = is_integer(target.sample);
   std::vector<float> row(std::size_t(width) * 3);  // room for samples of any type
   for (int y = 0; y < height; y++) {
     encode_normals(normals.data() + std::size_t(y) * width, width, target.coding, target.sample, row.data());
