@@ -1,8 +1,8 @@
 // burnish-simplify: fewer triangles for the same shape, and texture coordinates for a mesh that has none.
 #include <limits>
 
-#include "burnish/core/counted.h"
 #include "burnish/core/error.h"
+#include "burnish/core/wording.h"
 #include "burnish/mesh/atlas/atlas.h"
 #include "burnish/mesh/simplify/decimate.h"
 #include "cli/mesh_input.h"
@@ -11,16 +11,6 @@
 
 using namespace burnish;
 using namespace burnish::cli;
-
-namespace {
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all;
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   Tool tool({"burnish-simplify",
@@ -66,7 +56,7 @@ int main(int argc, char** argv) {
       throw file_error(ErrorKind::kUnsupported, output,
                        "'" + input + "' has texture coordinates, which are written as .obj or .ply only");
     if (!read.left_out.empty())
-      tool.warn("'" + input + "': groups, objects and materials are not kept (" + listed(read.left_out) + ")");
+      tool.warn("'" + input + "': groups, objects and materials are not kept (" + joined(read.left_out) + ")");
     const std::size_t wanted = faces ? std::size_t(faces) : mesh.triangles.size();
     if (wanted > mesh.triangles.size())
       tool.warn("'" + input + "' has no more than " + counted(mesh.triangles.size(), "triangle") +

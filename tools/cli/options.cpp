@@ -7,6 +7,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
+#include "burnish/core/wording.h"
 
 namespace burnish::cli {
 namespace {
@@ -69,13 +70,6 @@ std::vector<std::string> streams_of(const WrittenAs& as) {
   return words;
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& between, const std::string& last) {
-  std::string all;
-  for (std::size_t i = 0; i < words.size(); i++)
-    all += (i == 0 ? "" : i + 1 == words.size() ? last : between) + words[i];
-  return all;
-}
-
 // The options of both kinds of image that are written.
 void add_output(CLI::App& app, std::string& path, std::string& format, std::string& output_type, const WrittenAs& as) {
   app.add_option("-o,--output", path, "File to write, " + as.list() + " by its extension; '-' is standard output")
@@ -84,7 +78,7 @@ void add_output(CLI::App& app, std::string& path, std::string& format, std::stri
   add_choice<std::string>(app, "-d,--format", format,
                           {{"uint8", "uint8"}, {"uint16", "uint16"}, {"half", "half"}, {"float", "float"}},
                           "Samples; default by the file's type");
-  const std::string words = joined(streams_of(as), "|", "|");
+  const std::string words = joined(streams_of(as), "|");
   app.add_option_function<std::string>(
          "--output-type",
          [&output_type, words](const std::string& given) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "burnish/core/error.h"
+#include "burnish/core/wording.h"
 
 namespace burnish {
 namespace {
@@ -75,9 +76,10 @@ void require_can_hold(FileType type, SampleType sample, const std::string& file)
   if (std::ranges::find(t.samples, sample) != t.samples.end()) return;
   if (t.samples.empty())
     throw file_error(ErrorKind::kUnsupported, file, std::string(t.name) + " is written for indexed normal maps only");
-  std::string holds;
-  for (SampleType s : t.samples) holds += (holds.empty() ? "" : " or ") + std::string(name(s));
-  throw file_error(ErrorKind::kUnsupported, file, std::string(t.name) + " holds " + holds + ", not " + name(sample));
+  std::vector<std::string> held;
+  for (SampleType s : t.samples) held.emplace_back(name(s));
+  throw file_error(ErrorKind::kUnsupported, file,
+                   std::string(t.name) + " holds " + joined(held, " or ") + ", not " + name(sample));
 }
 
 }  // namespace burnish

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "burnish/core/error.h"
+#include "burnish/core/wording.h"
 
 namespace burnish {
 
@@ -18,9 +19,7 @@ int channel_of(const ImageReader& reader, const std::string& wanted) {
   if (wanted.find_first_not_of("0123456789") == std::string::npos && wanted.size() < 5 &&
       std::stoi(wanted) < reader.channels())
     return std::stoi(wanted);
-  std::string all;
-  for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
-  throw file_error(ErrorKind::kMalformed, reader.name(), "expected channel " + wanted + ", got " + all);
+  throw file_error(ErrorKind::kMalformed, reader.name(), "expected channel " + wanted + ", got " + joined(names));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
+#include "burnish/core/wording.h"
 
 namespace burnish {
 
@@ -185,9 +186,7 @@ void TomlTable::refuse_unknown() const {
     if (!unknown || at < line) unknown = &key, line = at;
   }
   if (!unknown) return;
-  std::string known;
-  for (const std::string& key : impl_->asked) known += (known.empty() ? "" : ", ") + key;
-  fail(*unknown, "unknown key; expected one of " + known);
+  fail(*unknown, "unknown key; expected one of " + joined({impl_->asked.begin(), impl_->asked.end()}));
 }
 
 }  // namespace burnish
