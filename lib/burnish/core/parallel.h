@@ -8,6 +8,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/parallel_pipeline.h>
 #include <tbb/version.h>
 
 #include <algorithm>
@@ -57,6 +58,22 @@ void parallel_for_chunks(std::size_t count, std::size_t grain, const Body& body)
 template <typename A, typename B>
 void parallel_invoke(const A& a, const B& b) {
   tbb::parallel_invoke(a, b);
+}
+
+// consume(work(produce())) until `produce` gives null: produced one at a time, worked on side by side, consumed one at
+// a time in the order they were produced, no more than `in_flight` at once. All of them pass shared pointers.
+template <typename Produce, typename Work, typename Consume>
+void parallel_pipeline(std::size_t in_flight, const Produce& produce, const Work& work, const Consume& consume) {
+  using Item = decltype(produce());
+  using Result = decltype(work(produce()));
+  tbb::parallel_pipeline(in_flight, tbb::make_filter<void, Item>(tbb::filter_mode::serial_in_order,
+                                                                 [&](tbb::flow_control& flow) {
+                                                                   Item item = produce();
+                                                                   if (!item) flow.stop();
+                                                                   return item;
+                                                                 }) &
+                                        tbb::make_filter<Item, Result>(tbb::filter_mode::parallel, work) &
+                                        tbb::make_filter<Result, void>(tbb::filter_mode::serial_in_order, consume));
 }
 
 // The sum of body(begin, end) over chunks of `grain` indices, added in their order; T needs +=.

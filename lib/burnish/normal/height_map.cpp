@@ -1,12 +1,11 @@
 #include "burnish/normal/height_map.h"
 
-#include <tbb/parallel_pipeline.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "burnish/core/error.h"
+#include "burnish/core/parallel.h"
 #include "burnish/normal/band_fitter.h"
 #include "burnish/normal/height_bands.h"
 #include "burnish/normal/normal_space.h"
@@ -31,14 +30,8 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
 
   double tilt_sum = 0, steepest = 0;
   std::size_t taking_part = 0;
-  const bool stored = target.sample == SampleType::kUint8 || target.sample == SampleType::kUint16;
-  const auto read = [&](tbb::flow_control& flow) -> std::shared_ptr<HeightBand> {
-    if (source.done()) {
-      flow.stop();
-      return nullptr;
-    }
-    return std::make_shared<HeightBand>(source.next());
-  };
+  const bool stored = is_integer(target.sample);
+  const auto read = [&] { return source.done() ? nullptr : std::make_shared<HeightBand>(source.next()); };
   const auto fit = [&](const std::shared_ptr<HeightBand>& band) {
     return std::make_shared<NormalBand>(fitter.fit(*band));
   };
@@ -52,11 +45,7 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
     report_progress(progress, double(band->first + band->rows) / stats.height);
   };
   constexpr std::size_t kBandsInFlight = 4;
-  tbb::parallel_pipeline(
-      kBandsInFlight,
-      tbb::make_filter<void, std::shared_ptr<HeightBand>>(tbb::filter_mode::serial_in_order, read) &
-          tbb::make_filter<std::shared_ptr<HeightBand>, std::shared_ptr<NormalBand>>(tbb::filter_mode::parallel, fit) &
-          tbb::make_filter<std::shared_ptr<NormalBand>, void>(tbb::filter_mode::serial_in_order, write));
+  parallel_pipeline(kBandsInFlight, read, fit, write);
   writer.close();
   stats.max_slope_deg = degrees(2 * std::atan(steepest));
   stats.mean_tilt_deg = taking_part ? degrees(tilt_sum / double(taking_part)) : 0;
