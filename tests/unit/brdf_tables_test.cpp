@@ -152,7 +152,7 @@ TEST(BrdfTables, TheSmallestTableIsGoodEnoughAndNoneBeforeItIs) {
                 0.004)
           << w << "x" << h;
   EXPECT_ERROR(smallest_table(r, TableSampling::kEdge, TableLayout::kPlain, SampleType::kUint8, 1e-4),
-               ErrorKind::kUsage, "--max-error: no table");
+               ErrorKind::kUsage, "max-error: no table");
 }
 
 TEST(BrdfTables, DomainsThatCrossASingularityAndSizesThatDoNotFitAreRefused) {
@@ -161,24 +161,32 @@ TEST(BrdfTables, DomainsThatCrossASingularityAndSizesThatDoNotFitAreRefused) {
     f.domain = std::move(domain);
     EXPECT_ERROR(require_valid(f), ErrorKind::kUsage, why);
   };
-  refused(LookupKind::kWardS, {{0, 1}}, "the domain of ward-s in p: expected more than 0, got 0:1");
-  refused(LookupKind::kWardE, {{0, 16}, {-1, 1}}, "the domain of ward-e in d: expected more than -1, got -1:1");
-  refused(LookupKind::kWardE, {{-1, 16}, {0, 1}}, "in m: expected at least 0");
-  refused(LookupKind::kBanksR, {{0, 2}}, "in s: expected at most 1, got 0:2");
-  refused(LookupKind::kBlinnPhongF, {{1, 128}, {-0.1, 1}}, "in e: expected at least 0");
-  refused(LookupKind::kStrand, {{-1, 1}, {-1.5, 1}}, "in V·T: expected from -1 to 1, got -1.5:1");
+  refused(LookupKind::kWardS, {{0, 1}}, "domain: ward-s, p: expected more than 0, got 0:1");
+  refused(LookupKind::kWardE, {{0, 16}, {-1, 1}}, "domain: ward-e, d: expected more than -1, got -1:1");
+  refused(LookupKind::kWardE, {{-1, 16}, {0, 1}}, "ward-e, m: expected at least 0");
+  refused(LookupKind::kBanksR, {{0, 2}}, "banks-r, s: expected at most 1, got 0:2");
+  refused(LookupKind::kBlinnPhongF, {{1, 128}, {-0.1, 1}}, "blinn-phong-f, e: expected at least 0");
+  refused(LookupKind::kStrand, {{-1, 1}, {-1.5, 1}}, "strand, V·T: expected from -1 to 1, got -1.5:1");
   refused(LookupKind::kStrand, {{-1, 1}}, "expected 2 range(s) A:B, got 1");
   refused(LookupKind::kWardS, {{1, 0.5}}, "expected two numbers, the lower first, got 1:0.5");
   refused(LookupKind::kWardS, {{0.1, HUGE_VAL}}, "expected two numbers");
   const LookupFunction r = function(LookupKind::kBanksR), s = function(LookupKind::kStrand);
   const auto size_refused = [](const LookupFunction& f, int w, int h, TableSampling sampling, TableLayout layout) {
-    EXPECT_ERROR(bake_table(f, w, h, sampling, layout), ErrorKind::kUsage, "--size: ");
+    EXPECT_ERROR(bake_table(f, w, h, sampling, layout), ErrorKind::kUsage, "size: ");
   };
   size_refused(r, 1, 1, TableSampling::kEdge, TableLayout::kPlain);
   size_refused(r, 16, 2, TableSampling::kEdge, TableLayout::kPlain);
   size_refused(r, 40000, 1, TableSampling::kEdge, TableLayout::kPlain);
   size_refused(s, 32768, 32768, TableSampling::kEdge, TableLayout::kPlain);
   size_refused(s, 15, 16, TableSampling::kCentre, TableLayout::kOffsetHalf);
+  EXPECT_ERROR(bake_table(s, 16, 16, TableSampling::kEdge, TableLayout::kCubeZ), ErrorKind::kUsage,
+               "sampling: the layout cube-z needs centre, got edge");
+  LookupFunction light = function(LookupKind::kLightFactor);
+  light.ambient = -0.1;
+  EXPECT_ERROR(require_valid(light), ErrorKind::kUsage, "ambient: expected at least 0, got -0.1");
+  LookupFunction strand = function(LookupKind::kStrand);
+  strand.exponent = 0;
+  EXPECT_ERROR(require_valid(strand), ErrorKind::kUsage, "exponent: expected a number above 0, got 0");
 }
 
 }  // namespace

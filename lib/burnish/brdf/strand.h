@@ -6,7 +6,7 @@
 //
 // The second is the printed formula: the largest value over all normals of the strand, which is more than V·R' for
 // N' alone, where V does not lie in the plane of L and T. The printed R' = 2N'(N'·V) − V mirrors the view where
-// Phong mirrors the light; V·R' is then of V with itself, and the light's mirror image is what the formula needs.
+// Phong mirrors the light; V·R' would then be of V and its own mirror image, and the light's is what the formula needs.
 // Exchanging L and V changes nothing in the specular part.
 #pragma once
 

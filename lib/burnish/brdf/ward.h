@@ -18,7 +18,7 @@ namespace burnish {
 
 struct Ward {
   double k_s = 1;
-  double alpha_x = 0.2, alpha_y = 0.2;  // RMS slope of the surface along t and b; above 0
+  double alpha_x = 0.2, alpha_y = 0.2;  // √2 times the RMS slope of the surface along t and along b; above 0
 };
 
 inline double ward_s(double p) { return 1 / std::sqrt(p); }

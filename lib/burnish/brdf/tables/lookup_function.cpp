@@ -100,24 +100,28 @@ std::vector<Range> default_domain(LookupKind kind) {
 void require_valid(const LookupFunction& f) {
   const std::vector<Argument>& arguments = arguments_of(f.kind);
   if (f.domain.size() != arguments.size())
-    throw out_of_range(std::string("the domain of ") + name(f.kind) + ": expected " + std::to_string(arguments.size()) +
+    throw out_of_range(std::string("domain: ") + name(f.kind) + ": expected " + std::to_string(arguments.size()) +
                        " range(s) A:B, got " + std::to_string(f.domain.size()));
   for (std::size_t i = 0; i < arguments.size(); i++) {
     const Argument& a = arguments[i];
     const Range r = f.domain[i];
     const std::string given = number_text(r.least) + ":" + number_text(r.most);
     if (!(std::isfinite(r.least) && std::isfinite(r.most) && r.least < r.most))
-      throw out_of_range(std::string("the domain of ") + name(f.kind) + " in " + a.name +
+      throw out_of_range(std::string("domain: ") + name(f.kind) + ", " + a.name +
                          ": expected two numbers, the lower first, got " + given);
     if (r.least < a.least || r.most > a.most || (a.without_least && r.least == a.least))
-      throw out_of_range(std::string("the domain of ") + name(f.kind) + " in " + a.name + ": expected " + bounds(a) +
-                         ", got " + given);
+      throw out_of_range(std::string("domain: ") + name(f.kind) + ", " + a.name + ": expected " + bounds(a) + ", got " +
+                         given);
   }
   if (!(f.exponent > 0 && std::isfinite(f.exponent)))
-    throw out_of_range("expected an exponent above 0, got " + number_text(f.exponent));
-  for (double v : {f.light.x, f.light.y, f.light.z, f.ambient, f.transition})
+    throw out_of_range("exponent: expected a number above 0, got " + number_text(f.exponent));
+  const auto require_light = [](const char* what, double v) {
     if (!(v >= 0 && std::isfinite(v)))
-      throw out_of_range("light, ambient light and transition: expected numbers of at least 0, got " + number_text(v));
+      throw out_of_range(std::string(what) + ": expected at least 0, got " + number_text(v));
+  };
+  for (const double v : {f.light.x, f.light.y, f.light.z}) require_light("light", v);
+  require_light("ambient", f.ambient);
+  require_light("transition", f.transition);
 }
 
 }  // namespace burnish

@@ -43,11 +43,11 @@ double argument(int i, int n, Range r, TableSampling sampling) {
 void require_side(const char* what, int n, TableSampling sampling, TableLayout layout) {
   const int least = sampling == TableSampling::kEdge ? 2 : 1;
   if (n < least || n > kMostTableSide)
-    throw Error(ErrorKind::kUsage, std::string("--size: expected a ") + what + " of " + std::to_string(least) + " to " +
+    throw Error(ErrorKind::kUsage, std::string("size: expected a ") + what + " of " + std::to_string(least) + " to " +
                                        std::to_string(kMostTableSide) + ", got " + std::to_string(n));
   if (layout == TableLayout::kOffsetHalf && n % 2)
     throw Error(ErrorKind::kUsage,
-                std::string("--size: the layout offset-half needs an even ") + what + ", got " + std::to_string(n));
+                std::string("size: the layout offset-half needs an even ") + what + ", got " + std::to_string(n));
 }
 
 }  // namespace
@@ -70,14 +70,16 @@ void LookupTable::look_up(float x, float y, float* out) const {
 
 LookupTable bake_table(const LookupFunction& f, int width, int height, TableSampling sampling, TableLayout layout) {
   require_valid(f);
+  if (sampling == TableSampling::kEdge && layout != TableLayout::kPlain)
+    throw Error(ErrorKind::kUsage, std::string("sampling: the layout ") + name(layout) + " needs centre, got edge");
   require_side("width", width, sampling, layout);
   if (f.arguments() > 1) require_side("height", height, sampling, layout);
   else if (height != 1)
-    throw Error(ErrorKind::kUsage, std::string("--size: ") + name(f.kind) + " has one argument; expected N, got " +
+    throw Error(ErrorKind::kUsage, std::string("size: ") + name(f.kind) + " has one argument; expected N, got " +
                                        std::to_string(width) + "x" + std::to_string(height));
   if (std::size_t(width) * height > kMostTableTexels)
     throw Error(ErrorKind::kUsage,
-                "--size: expected at most 2^26 texels, got " + std::to_string(width) + "x" + std::to_string(height));
+                "size: expected at most 2^26 texels, got " + std::to_string(width) + "x" + std::to_string(height));
   LookupTable table{f.domain, sampling, layout, Image(width, height, f.channels())};
   parallel_for(height, [&](std::size_t j) {
     const double y = f.arguments() > 1 ? argument(int(j), height, f.domain[1], sampling) : 0;

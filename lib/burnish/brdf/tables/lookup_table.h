@@ -34,8 +34,9 @@ struct LookupTable {
 inline constexpr int kMostTableSide = 1 << 15;
 inline constexpr std::size_t kMostTableTexels = std::size_t(1) << 26;
 
-// kUsage for sizes that are not [1, 32768] (edge sampling needs 2), not even where the layout asks for it, or that hold
-// more than 2²⁶ texels; height is 1 where there is one argument. In parallel.
+// kUsage for a layout other than plain with edge sampling, and for sizes that are not [1, 32768] (edge sampling needs
+// 2), not even where the layout asks for it, or that hold more than 2²⁶ texels; height is 1 where there is one
+// argument. In parallel.
 LookupTable bake_table(const LookupFunction& function, int width, int height, TableSampling sampling,
                        TableLayout layout);
 

@@ -123,8 +123,8 @@ LookupTable smallest_table(const LookupFunction& f, TableSampling sampling, Tabl
       if (errs_at_most(max_error, f, as_stored(table, sample))) return table;
     }
   }
-  throw Error(ErrorKind::kUsage, "--max-error: no table of up to 2^22 texels errs by at most " +
-                                     number_text(max_error) + "; try another domain or more exact samples (-d float)");
+  throw Error(ErrorKind::kUsage, "max-error: no table of up to 2^22 texels errs by at most " + number_text(max_error) +
+                                     "; try another domain or more exact samples (-d float)");
 }
 
 }  // namespace burnish
