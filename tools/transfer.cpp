@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "burnish/core/counted.h"
 #include "burnish/core/error.h"
+#include "burnish/core/wording.h"
 #include "burnish/mesh/bake/baked_files.h"
 #include "cli/mesh_input.h"
 #include "cli/options.h"
@@ -37,15 +37,16 @@ std::string percent(std::size_t part, std::size_t whole) {
   return text;
 }
 
-// An optional file of the kind that its name says.
+// An optional file beside the normals.
 struct ExtraOutput {
-  std::string path;
+  WrittenAs as;
+  std::string path{};
   FileType type = FileType::kPng;
-  FileRef file;
+  FileRef file{};
 
-  void reserve(Tool& tool) {
+  void reserve(Tool& tool, const std::string& option) {
     if (path.empty()) return;
-    type = file_type_of(path);
+    type = as.type_of(path, option);
     file = tool.write(path);
   }
 };
@@ -60,7 +61,8 @@ int main(int argc, char** argv) {
   ImageOutput output;
   TransferOptions options;
   NormalCoding coding;
-  ExtraOutput displacement, mask;
+  ExtraOutput displacement{{"a displacement map", {FileType::kExr, FileType::kPng, FileType::kTiff}}},
+      mask{{"a mask", output.as.types}};
 
   app.add_option("LOW", low, "Coarse mesh, with texture coordinates in [0,1]: .obj, .ply, .off")->required();
   app.add_option("HIGH", high, "Detailed mesh at the same place: .obj, .ply, .off, .stl")->required();
@@ -101,7 +103,7 @@ int main(int argc, char** argv) {
     const FileRef low_file = tool.read(low), high_file = tool.read(high);
     const NormalMapTarget target{tool.write(output.path), type, sample, coding};
     require_encodable(coding, sample, target.file.name);
-    displacement.reserve(tool), mask.reserve(tool);
+    displacement.reserve(tool, "--displacement"), mask.reserve(tool, "--mask-output");
     Mesh coarse = read_mesh(tool, low_file), detailed = read_mesh(tool, high_file);
     TransferMaps maps = transfer_detail(std::move(coarse), std::move(detailed), options, tool.progress());
     write_baked_normals(target, options.space, maps.width, maps.height, maps.normals);

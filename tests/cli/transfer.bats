@@ -254,6 +254,7 @@ burnish-transfer: warning: 'high.obj': 2 faces without area are left out" ]
   refuses 2 "'nowhere/m.png'" burnish-transfer low.obj high.obj -o x.png --mask-output nowhere/m.png
   refuses 5 "'m.gif'" burnish-transfer low.obj high.obj -o x.png --mask-output m.gif
   refuses 5 "'low.obj'" burnish-transfer low.obj high.obj -o x.png --displacement low.obj
+  refuses 5 "a mask is written as" burnish-transfer low.obj high.obj -o x.png --mask-output m.ktx2
   succeeds burnish-transfer low.obj high.obj -o x.png --size 8 --mask-output m.png --displacement d.exr --depfile x.d --report r.json
   [ "$(cat x.d)" = "x.png: low.obj high.obj" ]
   fits_schema transfer r.json
