@@ -76,6 +76,10 @@ const std::map<std::string, Pattern>& patterns() {
       {"grey", {3, [](int x, int y, int, int, int) { return bumps(x, y); }}},
       {"colours", {3, [](int x, int y, int c, int, int) { return bumps(x + 7 * c, y); }}},
       {"normals", {3, [](int x, int y, int c, int, int) { return normal_component(x, y, c); }}},
+      // Normals, but for a vector of no length where `nan` has none.
+      {"holed-normals",
+       {3,
+        [](int x, int y, int c, int w, int h) { return x == w / 2 && y == h / 2 ? 0.0 : normal_component(x, y, c); }}},
       {"rgba", {4, [](int x, int y, int c, int, int) { return noise(x, y, c); }}},
       // Material ids 0 … 3 in vertical stripes, for 8 bits.
       {"ids", {1, [](int x, int, int, int w, int) { return (4 * x / w) / 255.0; }}},

@@ -4,10 +4,12 @@
 #include <filesystem>
 
 #include "burnish/core/error.h"
+#include "burnish/core/wording.h"
 #include "burnish/render/frame.h"
 #include "burnish/render/frame_names.h"
 #include "burnish/render/picture.h"
 #include "burnish/render/validate.h"
+#include "cli/mesh_input.h"
 #include "cli/options.h"
 #include "cli/tool.h"
 
@@ -54,10 +56,12 @@ Scene read_inputs(Tool& tool, const Options& o) {
 
 std::vector<ObjectAssets> load(Tool& tool, Scene& scene) {
   std::vector<ObjectAssets> assets = load_assets(scene);
-  for (std::size_t i = 0; i < assets.size(); i++)
-    if (assets[i].invalid_texels)
-      tool.warn("'" + scene.objects[i].normal_map + "': " + std::to_string(assets[i].invalid_texels) +
-                " texels hold no direction and were taken for (0,0,1)");
+  for (std::size_t i = 0; i < assets.size(); i++) {
+    warn_of_dropped_faces(tool, scene.objects[i].mesh, assets[i].dropped_faces);
+    if (const std::size_t n = assets[i].invalid_texels)
+      tool.warn("'" + scene.objects[i].normal_map + "': " + counted(n, "texel") + (n == 1 ? " holds" : " hold") +
+                " no direction and counts as (0,0,1)");
+  }
   for (const Material& material : scene.materials)
     for (const LightingModel& term : material.terms)
       if (const auto* environment = std::get_if<Environment>(&term); environment && environment->panorama->integer())

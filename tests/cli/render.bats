@@ -51,6 +51,17 @@ scene() {
   [ "$("$BURNISH_FIXTURE" texel x.exr 0 0)" = "0.5 0.5 0.5" ]
 }
 
+@test "faces without area and texels without a direction are named" {
+  "$BURNISH_FIXTURE" mesh sphere 8 ball.obj
+  echo "f 1/1 2/2 2/2" >>ball.obj
+  make_image holed-normals 8 8 n.exr
+  printf '[image]\nwidth = 8\nheight = 8\n[[light]]\ndirection = [0, 0, 1]\n' >s.toml
+  printf '[[object]]\nsurface = "mesh"\nmesh = "ball.obj"\nnormal_map = "n.exr"\n' >>s.toml
+  call burnish-render s.toml -o x.png
+  [ "$(cat err)" = "burnish-render: warning: 'ball.obj': 1 face without area is left out
+burnish-render: warning: 'n.exr': 1 texel holds no direction and counts as (0,0,1)" ]
+}
+
 @test "--path overrides the scene's" {
   scene
   succeeds burnish-render s.toml -o a.png --report a.json

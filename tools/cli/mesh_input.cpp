@@ -1,15 +1,19 @@
 #include "cli/mesh_input.h"
 
-#include "burnish/core/counted.h"
+#include "burnish/core/wording.h"
 
 namespace burnish::cli {
+
+void warn_of_dropped_faces(Tool& tool, const std::string& mesh, std::size_t faces) {
+  if (faces)
+    tool.warn("'" + mesh + "': " + counted(faces, "face") + " without area " + (faces == 1 ? "is" : "are") +
+              " left out");
+}
 
 Mesh read_mesh(Tool& tool, const FileRef& file, MeshReadStats* stats) {
   MeshReadStats found;
   Mesh mesh = burnish::read_mesh(file, &found);
-  if (found.dropped_faces)
-    tool.warn("'" + file.name + "': " + counted(found.dropped_faces, "face") + " without area " +
-              (found.dropped_faces == 1 ? "is" : "are") + " left out");
+  warn_of_dropped_faces(tool, file.name, found.dropped_faces);
   if (stats) *stats = found;
   return mesh;
 }

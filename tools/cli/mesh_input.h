@@ -8,6 +8,8 @@
 
 namespace burnish::cli {
 
+void warn_of_dropped_faces(Tool& tool, const std::string& mesh, std::size_t faces);
+
 // Warns of faces that are left out.
 Mesh read_mesh(Tool& tool, const FileRef& file, MeshReadStats* stats = nullptr);
 

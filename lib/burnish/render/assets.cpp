@@ -59,8 +59,10 @@ NormalSpace space_of(const Scene& scene, const Object& object, const ObjectAsset
   return space;
 }
 
-std::shared_ptr<const MeshSurface> read_surface(const Object& object) {
-  Mesh mesh = read_mesh(object.mesh);
+std::shared_ptr<const MeshSurface> read_surface(const Object& object, std::size_t& dropped_faces) {
+  MeshReadStats stats;
+  Mesh mesh = read_mesh(object.mesh, &stats);
+  dropped_faces = stats.dropped_faces;
   if (!object.normal_map.empty() || !object.indexed_map.empty() || !object.base.map.empty())
     require_uvs(mesh, "since the object has maps");
   return std::make_shared<const MeshSurface>(std::move(mesh), object.shading);
@@ -123,7 +125,7 @@ std::vector<ObjectAssets> load_assets(Scene& scene) {
   std::vector<ObjectAssets> out;
   for (const Object& object : scene.objects) {
     ObjectAssets assets;
-    if (!object.mesh.empty()) assets.mesh = read_surface(object);
+    if (!object.mesh.empty()) assets.mesh = read_surface(object, assets.dropped_faces);
     if (!object.base.map.empty()) assets.base_colour = read_base_colour(object.base);
     if (!object.indexed_map.empty()) assets.indexed = read_map(scene, object);
     std::optional<NormalSpace> recorded;

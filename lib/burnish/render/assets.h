@@ -13,6 +13,7 @@ namespace burnish {
 
 struct ObjectAssets {
   std::shared_ptr<const MeshSurface> mesh;  // null for other surfaces
+  std::size_t dropped_faces = 0;            // of the mesh; they have no area
   std::optional<Image> base_colour;         // linear RGB; none where the object has no such map
 
   // The unquantized normal map; where the object has none, the indexed map's base level through its palette; empty
