@@ -148,9 +148,7 @@ Json quantize(Tool& tool, Options& o) {
   const FileRef palette_file = with_palette ? tool.write(o.output.palette_path) : FileRef();
 
   const auto write = [&](std::size_t i, const IndexedMap& map) {
-    IndexedOutput output = o.output;
-    output.path = outputs[i];
-    output.require_format(type, map.palette.normals.size(), output.path);
+    o.output.require_format(type, map.palette.normals.size(), outputs[i]);
     write_indexed_map(files[i], type, map);
   };
   const QuantizeResult result = quantize_normal_maps(std::move(maps), o.quantize, write, tool.progress());
