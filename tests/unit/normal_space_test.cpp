@@ -36,7 +36,8 @@ TEST(NormalSpace, DescriptionsOfOtherProgramsSayNothing) {
 TEST(NormalSpace, AnyOtherSpaceIsRefused) {
   const std::string part = "expected burnish:space tangent or object, got '";
   EXPECT_ERROR(read_back("n.exr", {{"burnish:space", "world"}}), ErrorKind::kMalformed, "n.exr': " + part + "world'");
-  EXPECT_ERROR(read_back("n.png", {{"ImageDescription", "{\"burnish:space\":\"\"}"}}), ErrorKind::kMalformed, part + "'");
+  EXPECT_ERROR(read_back("n.png", {{"ImageDescription", "{\"burnish:space\":\"\"}"}}), ErrorKind::kMalformed,
+               part + "'");
   EXPECT_ERROR(read_back("n.png", {{"ImageDescription", "{\"burnish:space\":7}"}}), ErrorKind::kMalformed, part + "7'");
 }
 
