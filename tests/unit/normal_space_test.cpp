@@ -10,7 +10,7 @@ namespace {
 
 using testing::ScratchDir;
 
-std::optional<NormalSpace> read_back(const std::string& file, const ImageWriter::Attributes& attributes) {
+std::optional<NormalSpace> read_back(const std::string& file, const Attributes& attributes) {
   const ScratchDir dir;
   const FileType type = file_type_of(file);
   write_image(dir / file, type, default_sample_type(type), Image(2, 1, 3), attributes);
@@ -20,9 +20,9 @@ std::optional<NormalSpace> read_back(const std::string& file, const ImageWriter:
 TEST(NormalSpace, IsReadBackFromFilesThatHoldText) {
   for (const NormalSpace space : {NormalSpace::kTangent, NormalSpace::kObject}) {
     for (const char* file : {"n.png", "n.tif", "n.exr"})
-      EXPECT_EQ(read_back(file, space_attributes(file_type_of(file), space)), space) << file << " " << name(space);
+      EXPECT_EQ(read_back(file, space_attributes(space)), space) << file << " " << name(space);
     for (const char* file : {"n.tga", "n.bmp"})
-      EXPECT_EQ(read_back(file, space_attributes(file_type_of(file), space)), std::nullopt) << file;
+      EXPECT_EQ(read_back(file, space_attributes(space)), std::nullopt) << file;
   }
 }
 

@@ -12,7 +12,7 @@ Image read_image(const FileRef& file) {
 }
 
 void write_image(const FileRef& file, FileType type, SampleType sample, const Image& image,
-                 const ImageWriter::Attributes& attributes) {
+                 const Attributes& attributes) {
   ImageWriter writer(file, type, sample, image.width, image.height, image.channels, attributes);
   writer.write_rows(image.height, image.data.data());
   writer.close();

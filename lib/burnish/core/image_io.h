@@ -9,10 +9,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "burnish/core/attributes.h"
 #include "burnish/core/file_ref.h"
 #include "burnish/core/file_type.h"
 #include "burnish/core/image.h"
@@ -32,9 +33,10 @@ class ImageReader {
   SampleType sample_type() const;  // nearest of the four; other integers count as uint16
   const std::vector<std::string>& channel_names() const;
   const std::string& name() const;  // for messages
-  // What the file says beside its pixels under a name such as "burnish:space" or "ImageDescription"; empty where it
-  // says nothing, or no text.
-  std::string text(const std::string& attribute) const;
+  // What the file says beside its texels (attributes.h); none where it does not. JSON is text here. Numbers: none too
+  // where it says something else.
+  std::optional<std::string> text(const std::string& attribute) const;
+  std::optional<std::vector<double>> numbers(const std::string& attribute) const;
   std::size_t file_bytes() const;  // of the pixels, uncompressed, as stored
   bool has_exact_samples() const;  // the file stores exactly sample_type()
 
@@ -54,7 +56,6 @@ class ImageReader {
 
 class ImageWriter {
  public:
-  using Attributes = std::vector<std::pair<std::string, std::string>>;
   // Writes to file.path; messages speak of file.name. Channels are named R, G, B, A, or Y where there is one.
   ImageWriter(const FileRef& file, FileType type, SampleType sample, int width, int height, int channels,
               const Attributes& attributes = {});
@@ -75,7 +76,7 @@ class ImageWriter {
 // Whole images.
 Image read_image(const FileRef& file);
 void write_image(const FileRef& file, FileType type, SampleType sample, const Image& image,
-                 const ImageWriter::Attributes& attributes = {});
+                 const Attributes& attributes = {});
 // One channel, 8-bit, unscaled: material ids. kMalformed where the file is anything else.
 ByteImage read_ids(const FileRef& file, int width, int height);
 // One value a texel: whether the first channel differs from 0. kMalformed where the size differs.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "burnish/core/attribute_codec.h"
 #include "burnish/core/codec_message.h"
 #include "burnish/core/codecs.h"
 #include "burnish/core/error.h"
@@ -142,8 +143,11 @@ bool ImageReader::has_exact_samples() const {
 }
 const std::vector<std::string>& ImageReader::channel_names() const { return impl_->spec.channelnames; }
 const std::string& ImageReader::name() const { return impl_->file.name; }
-std::string ImageReader::text(const std::string& attribute) const {
-  return std::string(impl_->spec.get_string_attribute(attribute));
+std::optional<std::string> ImageReader::text(const std::string& attribute) const {
+  return detail::text_attribute(impl_->spec, attribute);
+}
+std::optional<std::vector<double>> ImageReader::numbers(const std::string& attribute) const {
+  return detail::number_attribute(impl_->spec, attribute);
 }
 std::size_t ImageReader::file_bytes() const { return impl_->spec.image_bytes(true); }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "burnish/core/attribute_codec.h"
 #include "burnish/core/checked_file.h"
 #include "burnish/core/codec_message.h"
 #include "burnish/core/codecs.h"
@@ -78,7 +79,7 @@ ImageWriter::ImageWriter(const FileRef& file, FileType type, SampleType sample, 
   if (type == FileType::kExr) spec.attribute("compression", "zip");
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("DateTime", "");  // or the codec puts the clock into the file
-  for (const auto& [key, value] : attributes) spec.attribute(key, value);
+  detail::put_attributes(spec, type, attributes);
   impl_->to = std::make_unique<CheckedProxy>(file.path);
   if (impl_->to->file.first_error()) impl_->fail();
   OIIO::Filesystem::IOProxy* to = impl_->to.get();

@@ -26,7 +26,7 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
   stats.height = source.height();
   const BandFitter fitter(neighborhood, options, stats.width, stats.height, target, file.name);
   ImageWriter writer(target.file, target.type, target.sample, stats.width, stats.height, 3,
-                     space_attributes(target.type, NormalSpace::kTangent));
+                     space_attributes(NormalSpace::kTangent));
 
   double tilt_sum = 0, steepest = 0;
   std::size_t taking_part = 0;

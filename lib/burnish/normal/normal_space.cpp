@@ -1,13 +1,11 @@
 #include "burnish/normal/normal_space.h"
 
-#include <nlohmann/json.hpp>
-
 #include "burnish/core/error.h"
 
 namespace burnish {
 namespace {
 
-const std::string kAttribute = "burnish:space", kDescription = "ImageDescription";
+const std::string kAttribute = "burnish:space";
 
 }  // namespace
 
@@ -20,21 +18,12 @@ NormalSpace space_from_name(const std::string& text, const std::string& file_nam
                    "expected burnish:space tangent or object, got '" + excerpt(text) + "'");
 }
 
-ImageWriter::Attributes space_attributes(FileType type, NormalSpace space) {
-  if (type == FileType::kExr) return {{kAttribute, name(space)}};
-  if (type != FileType::kPng && type != FileType::kTiff) return {};
-  return {{kDescription, nlohmann::json{{kAttribute, name(space)}}.dump()}};
-}
+Attributes space_attributes(NormalSpace space) { return {{kAttribute, name(space)}}; }
 
 std::optional<NormalSpace> recorded_space(const ImageReader& reader) {
-  std::string text = reader.text(kAttribute);
-  if (text.empty()) {
-    // Descriptions of other programs may be anything.
-    const auto json = nlohmann::json::parse(reader.text(kDescription), nullptr, false);
-    if (!json.is_object() || !json.contains(kAttribute)) return std::nullopt;
-    text = json[kAttribute].is_string() ? json[kAttribute].get<std::string>() : json[kAttribute].dump();
-  }
-  return space_from_name(text, reader.name());
+  const std::optional<std::string> text = reader.text(kAttribute);
+  if (!text) return std::nullopt;
+  return space_from_name(*text, reader.name());
 }
 
 }  // namespace burnish

@@ -1,7 +1,6 @@
 // Whose axes the vectors of a normal map are along, and how its file says so.
 //
-// EXR has the attribute burnish:space, "tangent" or "object"; PNG and TIFF have the same as JSON in the image
-// description. TGA and BMP do not tell.
+// Its attribute burnish:space is "tangent" or "object". TGA and BMP do not tell.
 #pragma once
 
 #include <optional>
@@ -17,7 +16,7 @@ const char* name(NormalSpace space);  // "tangent", "object"
 NormalSpace space_from_name(const std::string& text, const std::string& file_name);
 
 // For the writer of a normal map.
-ImageWriter::Attributes space_attributes(FileType type, NormalSpace space);
+Attributes space_attributes(NormalSpace space);
 // What the file says; none where it says nothing. kMalformed for a space of another name.
 std::optional<NormalSpace> recorded_space(const ImageReader& reader);
 

@@ -1,7 +1,6 @@
 #include "burnish/mesh/bake/baked_files.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "burnish/core/error.h"
 
@@ -10,7 +9,7 @@ namespace burnish {
 void write_baked_normals(const NormalMapTarget& target, NormalSpace space, int width, int height,
                          const std::vector<Vec3f>& normals) {
   require_encodable(target.coding, target.sample, target.file.name);
-  ImageWriter writer(target.file, target.type, target.sample, width, height, 3, space_attributes(target.type, space));
+  ImageWriter writer(target.file, target.type, target.sample, width, height, 3, space_attributes(space));
   const bool stored = is_integer(target.sample);
   std::vector<float> row(std::size_t(width) * 3);  // room for samples of any type
   for (int y = 0; y < height; y++) {
@@ -29,8 +28,8 @@ void write_displacement(const FileRef& file, FileType type, const Image& displac
   const double scale = most > 0 ? 2 * most : 1;
   Image stored = displacement;
   for (float& d : stored.data) d = float(d / scale + 0.5);
-  const nlohmann::ordered_json description{{"burnish:scale", scale}, {"burnish:bias", -scale / 2}};
-  write_image(file, type, SampleType::kUint16, stored, {{"ImageDescription", description.dump()}});
+  write_image(file, type, SampleType::kUint16, stored,
+              {{"burnish:scale", std::vector<double>{scale}}, {"burnish:bias", std::vector<double>{-scale / 2}}});
 }
 
 void write_mask(const FileRef& file, FileType type, const ByteImage& flags) {
