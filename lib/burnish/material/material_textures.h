@@ -1,0 +1,57 @@
+// Material textures (Kautz & Seidel, sections 3 and 4): what a surface reflects by, texel by texel, in three images.
+//
+//              PREFIX_t            PREFIX_b               PREFIX_n
+//   banks        t, alpha k_s        b                      n
+//   blinn-phong  t/α_x, alpha k_s    b/α_y, alpha N/128     n
+//   ward         t/α_x               b/α_y                  n, alpha k_s / (4π α_x α_y) divided by its maximum
+//
+// {t, b, n} is the texel's frame, in tangent space. A value is true = stored · scale + bias, per channel: attributes
+// burnish:scale and burnish:bias (1 and 0 where there are none); burnish:model names the model, burnish:alpha what the
+// fourth channel holds: "k_s", "N" or "k_s/(4 pi alpha_x alpha_y)".
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "burnish/core/image_io.h"
+#include "burnish/core/vec3.h"
+
+namespace burnish {
+
+enum class MaterialModel { kBanks, kBlinnPhong, kWard };
+const char* name(MaterialModel model);  // "banks", "blinn-phong", "ward"
+
+// One of the three.
+struct MaterialTexture {
+  std::vector<Image> levels;  // base first; as stored, integers in [0,1]; 3 or 4 channels
+  std::array<float, 4> scale{1, 1, 1, 1}, bias{};
+
+  int channels() const { return levels[0].channels; }
+  // True values of a texel: the vector, and the fourth channel (0 where there is none).
+  Vec3f vector(int level, int x, int y) const {
+    const float* s = levels[level].at(x, y);
+    return {s[0] * scale[0] + bias[0], s[1] * scale[1] + bias[1], s[2] * scale[2] + bias[2]};
+  }
+  float alpha(int level, int x, int y) const {
+    return channels() > 3 ? levels[level].at(x, y)[3] * scale[3] + bias[3] : 0;
+  }
+};
+
+struct MaterialTextures {
+  MaterialModel model = MaterialModel::kWard;
+  MaterialTexture t, b, n;
+
+  int width() const { return t.levels[0].width; }
+  int height() const { return t.levels[0].height; }
+};
+
+// The file of a texture, `which` being t, b or n: PREFIX_t.exr, .png or .tif, whichever there is. kIo where there is
+// none, kUsage where there are several.
+std::string material_file(const std::string& prefix, char which);
+
+// kMalformed where a file's attributes or channels are not those of its model, where the three differ in size, levels or
+// model, and for NaN and infinity.
+MaterialTextures read_material_textures(const FileRef& t, const FileRef& b, const FileRef& n);
+
+}  // namespace burnish
