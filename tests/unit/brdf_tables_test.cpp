@@ -153,6 +153,9 @@ TEST(BrdfTables, TheSmallestTableIsGoodEnoughAndNoneBeforeItIs) {
           << w << "x" << h;
   EXPECT_ERROR(smallest_table(r, TableSampling::kEdge, TableLayout::kPlain, SampleType::kUint8, 1e-4),
                ErrorKind::kUsage, "max-error: no table");
+  for (const double junk : {0.0, -1.0, double(NAN)})
+    EXPECT_ERROR(smallest_table(r, TableSampling::kEdge, TableLayout::kPlain, SampleType::kFloat, junk),
+                 ErrorKind::kUsage, "max-error: expected a number above 0, got ");
 }
 
 TEST(BrdfTables, DomainsThatCrossASingularityAndSizesThatDoNotFitAreRefused) {
@@ -170,6 +173,11 @@ TEST(BrdfTables, DomainsThatCrossASingularityAndSizesThatDoNotFitAreRefused) {
   refused(LookupKind::kStrand, {{-1, 1}}, "expected 2 range(s) A:B, got 1");
   refused(LookupKind::kWardS, {{1, 0.5}}, "expected two numbers, the lower first, got 1:0.5");
   refused(LookupKind::kWardS, {{0.1, HUGE_VAL}}, "expected two numbers");
+  refused(LookupKind::kWardS, {{NAN, 1}}, "expected two numbers");
+  refused(LookupKind::kWardS, {{1e-50, 1}}, "expected more than 0, got 1e-50:1");
+  refused(LookupKind::kWardE, {{0, 16}, {-1 + 1e-12, 1}}, "expected more than -1, got -0.999999999999:1");
+  refused(LookupKind::kWardS, {{1, 1 + 1e-9}}, "expected ends that single precision tells apart, got 1:1.000000001");
+  refused(LookupKind::kWardS, {{1, 1e300}}, "expected ends that single precision tells apart, got 1:1e+300");
   const LookupFunction r = function(LookupKind::kBanksR), s = function(LookupKind::kStrand);
   const auto size_refused = [](const LookupFunction& f, int w, int h, TableSampling sampling, TableLayout layout) {
     EXPECT_ERROR(bake_table(f, w, h, sampling, layout), ErrorKind::kUsage, "size: ");

@@ -1,10 +1,15 @@
 #include "burnish/core/samples.h"
 
-#include <cstdint>
-
 #include "burnish/core/codecs.h"
 
 namespace burnish {
+
+std::vector<std::uint16_t> half_bits(const std::vector<float>& values) {
+  std::vector<std::uint16_t> bits(values.size());
+  OIIO::convert_pixel_values(OIIO::TypeFloat, values.data(), detail::to_oiio(SampleType::kHalf), bits.data(),
+                             int(values.size()));
+  return bits;
+}
 
 void round_to_samples(SampleType type, std::vector<float>& values) {
   switch (type) {
@@ -15,10 +20,9 @@ void round_to_samples(SampleType type, std::vector<float>& values) {
       return;
     }
     case SampleType::kHalf: {
-      const OIIO::TypeDesc half_type = detail::to_oiio(type);
-      std::vector<std::uint16_t> halves(values.size());
-      OIIO::convert_pixel_values(OIIO::TypeFloat, values.data(), half_type, halves.data(), int(values.size()));
-      OIIO::convert_pixel_values(half_type, halves.data(), OIIO::TypeFloat, values.data(), int(values.size()));
+      const std::vector<std::uint16_t> bits = half_bits(values);
+      OIIO::convert_pixel_values(detail::to_oiio(type), bits.data(), OIIO::TypeFloat, values.data(),
+                                 int(values.size()));
       return;
     }
     case SampleType::kFloat:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "burnish/core/file_type.h"
@@ -10,6 +11,9 @@ namespace burnish {
 
 // The integer from 0 to `most` that stands for a value of [0,1]: rounded half up; beyond the ends, the ends.
 inline int integer_sample(float value, float most) { return int(std::min(std::max(value, 0.f), 1.f) * most + 0.5f); }
+
+// The bits of the nearest halves.
+std::vector<std::uint16_t> half_bits(const std::vector<float>& values);
 
 // Rounds to what a file of that type, written and read back here, gives.
 void round_to_samples(SampleType type, std::vector<float>& values);

@@ -104,14 +104,16 @@ void require_valid(const LookupFunction& f) {
                        " range(s) A:B, got " + std::to_string(f.domain.size()));
   for (std::size_t i = 0; i < arguments.size(); i++) {
     const Argument& a = arguments[i];
-    const Range r = f.domain[i];
-    const std::string given = number_text(r.least) + ":" + number_text(r.most);
-    if (!(std::isfinite(r.least) && std::isfinite(r.most) && r.least < r.most))
-      throw out_of_range(std::string("domain: ") + name(f.kind) + ", " + a.name +
-                         ": expected two numbers, the lower first, got " + given);
-    if (r.least < a.least || r.most > a.most || (a.without_least && r.least == a.least))
-      throw out_of_range(std::string("domain: ") + name(f.kind) + ", " + a.name + ": expected " + bounds(a) + ", got " +
-                         given);
+    const Range r = f.domain[i], single{float(r.least), float(r.most)};
+    const auto refuse = [&](const std::string& expected) {
+      throw out_of_range(std::string("domain: ") + name(f.kind) + ", " + a.name + ": expected " + expected + ", got " +
+                         number_text(r.least) + ":" + number_text(r.most));
+    };
+    if (!(std::isfinite(r.least) && std::isfinite(r.most) && r.least < r.most)) refuse("two numbers, the lower first");
+    if (!(std::isfinite(single.least) && std::isfinite(single.most) && single.least < single.most))
+      refuse("ends that single precision tells apart");
+    for (const Range& held : {r, single})
+      if (held.least < a.least || held.most > a.most || (a.without_least && held.least == a.least)) refuse(bounds(a));
   }
   if (!(f.exponent > 0 && std::isfinite(f.exponent)))
     throw out_of_range("exponent: expected a number above 0, got " + number_text(f.exponent));

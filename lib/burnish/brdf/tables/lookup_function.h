@@ -40,8 +40,8 @@ struct LookupFunction {
 
 // What an option left out stands for.
 std::vector<Range> default_domain(LookupKind kind);
-// kUsage unless the domain is where the function is finite, its ends are finite and in order, and the parameters are in
-// their ranges.
+// kUsage unless the domain is where the function is finite, its ends are finite and in order, in single precision too,
+// in which lookups are made, and the parameters are in their ranges.
 void require_valid(const LookupFunction& function);
 
 }  // namespace burnish

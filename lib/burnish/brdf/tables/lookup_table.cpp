@@ -68,8 +68,7 @@ void LookupTable::look_up(float x, float y, float* out) const {
   }
 }
 
-LookupTable bake_table(const LookupFunction& f, int width, int height, TableSampling sampling, TableLayout layout) {
-  require_valid(f);
+void require_table_shape(const LookupFunction& f, int width, int height, TableSampling sampling, TableLayout layout) {
   if (sampling == TableSampling::kEdge && layout != TableLayout::kPlain)
     throw Error(ErrorKind::kUsage, std::string("sampling: the layout ") + name(layout) + " needs centre, got edge");
   require_side("width", width, sampling, layout);
@@ -80,6 +79,11 @@ LookupTable bake_table(const LookupFunction& f, int width, int height, TableSamp
   if (std::size_t(width) * height > kMostTableTexels)
     throw Error(ErrorKind::kUsage,
                 "size: expected at most 2^26 texels, got " + std::to_string(width) + "x" + std::to_string(height));
+}
+
+LookupTable bake_table(const LookupFunction& f, int width, int height, TableSampling sampling, TableLayout layout) {
+  require_valid(f);
+  require_table_shape(f, width, height, sampling, layout);
   LookupTable table{f.domain, sampling, layout, Image(width, height, f.channels())};
   parallel_for(height, [&](std::size_t j) {
     const double y = f.arguments() > 1 ? argument(int(j), height, f.domain[1], sampling) : 0;

@@ -6,8 +6,8 @@
 // and a lookup goes to the place between the texels' arguments; beyond the outermost ones it clamps.
 //
 // Layouts that save a shader the bias by ½ (Isidoro & Brennan), with centre sampling, for the address ½x:
-//   offset half  shifted by half its size in both directions, for repeat addressing; at ±1 the filter mixes the two
-//   ends cube z       rows reversed: the +Z face of a cube map, looked up with (x, y, 1)
+//   offset half  shifted by half its size in both directions, for repeat addressing; at ±1 that mixes the two ends
+//   cube z       rows reversed: the +Z face of a cube map, looked up with (x, y, 1)
 #pragma once
 
 #include "burnish/brdf/tables/lookup_function.h"
@@ -36,7 +36,11 @@ inline constexpr std::size_t kMostTableTexels = std::size_t(1) << 26;
 
 // kUsage for a layout other than plain with edge sampling, and for sizes that are not [1, 32768] (edge sampling needs
 // 2), not even where the layout asks for it, or that hold more than 2²⁶ texels; height is 1 where there is one
-// argument. In parallel.
+// argument.
+void require_table_shape(const LookupFunction& function, int width, int height, TableSampling sampling,
+                         TableLayout layout);
+
+// kUsage as require_valid and require_table_shape. In parallel.
 LookupTable bake_table(const LookupFunction& function, int width, int height, TableSampling sampling,
                        TableLayout layout);
 

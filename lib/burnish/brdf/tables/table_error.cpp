@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "burnish/core/error.h"
@@ -95,7 +96,18 @@ double table_scale(const LookupTable& table) {
   return most > 0 ? most : 1;
 }
 
+void require_can_hold(SampleType sample, const LookupTable& table) {
+  constexpr float kMostHalf = 65504;
+  const float most = sample == SampleType::kHalf ? kMostHalf : std::numeric_limits<float>::max();
+  const auto beyond = std::ranges::find_if(table.texels.data, [&](float v) { return !(std::abs(v) <= most); });
+  if (beyond != table.texels.data.end())
+    throw Error(ErrorKind::kUnsupported, "format: expected values within " + number_text(most) + ", which " +
+                                             name(is_integer(sample) ? SampleType::kFloat : sample) + " holds, got " +
+                                             number_text(*beyond));
+}
+
 LookupTable as_stored(const LookupTable& table, SampleType sample) {
+  require_can_hold(sample, table);
   LookupTable stored = table;
   const float factor = is_integer(sample) ? float(table_scale(table)) : 1;
   for (float& v : stored.texels.data) v /= factor;
@@ -106,6 +118,8 @@ LookupTable as_stored(const LookupTable& table, SampleType sample) {
 
 LookupTable smallest_table(const LookupFunction& f, TableSampling sampling, TableLayout layout, SampleType sample,
                            double max_error) {
+  if (!(max_error > 0))
+    throw Error(ErrorKind::kUsage, "max-error: expected a number above 0, got " + number_text(max_error));
   const int least = sampling == TableSampling::kEdge || layout == TableLayout::kOffsetHalf ? 1 : 0;  // of the exponent
   for (int texels = least; (std::size_t(1) << texels) <= kMostTried; texels++) {
     std::vector<std::pair<int, int>> sizes;  // exponents, the squarest first

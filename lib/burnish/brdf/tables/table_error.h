@@ -18,12 +18,15 @@ TableErrors table_errors(const LookupFunction& function, const LookupTable& tabl
 // The largest value, which integer files divide by (FORMATS: burnish:scale); 1 where all are 0.
 double table_scale(const LookupTable& table);
 
-// What a file of such samples gives back of the texels; integers hold value / scale.
+// kUnsupported where values are beyond what the samples hold: 65504 for half, single precision for all.
+void require_can_hold(SampleType sample, const LookupTable& table);
+
+// What a file of such samples gives back of the texels; integers hold value / scale. kUnsupported as above.
 LookupTable as_stored(const LookupTable& table, SampleType sample);
 
 // The smallest table, with sides that are powers of two, whose error as stored is at most `max_error`: of two
-// dimensions the fewest texels, then the squarest, then the wider. kUsage where none of 2²² texels is good
-// enough.
+// dimensions the fewest texels, then the squarest, then the wider. kUsage where `max_error` is not above 0 or none of
+// 2²² texels is good enough; kUnsupported as above.
 LookupTable smallest_table(const LookupFunction& function, TableSampling sampling, TableLayout layout,
                            SampleType sample, double max_error);
 
