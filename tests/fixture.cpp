@@ -80,6 +80,14 @@ const std::map<std::string, Pattern>& patterns() {
       {"holed-normals",
        {3,
         [](int x, int y, int c, int w, int h) { return x == w / 2 && y == h / 2 ? 0.0 : normal_component(x, y, c); }}},
+      // Flow round the map's centre, biased, of length 0 where `nan` has none; the third channel is 0 to 1 from the left.
+      {"flow",
+       {3,
+        [](int x, int y, int c, int w, int h) {
+          if (c == 2) return double(x) / (w - 1);
+          if (x == w / 2 && y == h / 2) return 0.5;
+          return 0.5 + (c == 0 ? y + 0.5 - 0.5 * h : x + 0.5 - 0.5 * w) / (w + h);
+        }}},
       {"rgba", {4, [](int x, int y, int c, int, int) { return noise(x, y, c); }}},
       // Material ids 0 … 3 in vertical stripes, for 8 bits.
       {"ids", {1, [](int x, int, int, int w, int) { return (4 * x / w) / 255.0; }}},

@@ -50,8 +50,8 @@ struct MaterialTextures {
 // none, kUsage where there are several.
 std::string material_file(const std::string& prefix, char which);
 
-// kMalformed where a file's attributes or channels are not those of its model, where the three differ in size, levels or
-// model, and for NaN and infinity.
+// kMalformed where a file's attributes or channels are not those of its model, where the three differ in size, levels
+// or model, and for NaN and infinity.
 MaterialTextures read_material_textures(const FileRef& t, const FileRef& b, const FileRef& n);
 
 }  // namespace burnish

@@ -1,0 +1,125 @@
+#include "burnish/material/direction_map.h"
+
+#include <cmath>
+
+#include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
+#include "burnish/core/parallel.h"
+#include "burnish/core/samples.h"
+#include "burnish/core/wording.h"
+#include "burnish/normal/normal_space.h"
+
+namespace burnish {
+namespace {
+
+int channels_of(DirectionForm form) { return form == DirectionForm::kAngle ? 1 : form == DirectionForm::kFlow ? 2 : 3; }
+
+bool is_biased(const DirectionCoding& coding, SampleType sample) {
+  const bool by_definition = coding.form == DirectionForm::kKhr && coding.encoding == NormalEncoding::kByType;
+  return by_definition || is_biased(coding.encoding, is_integer(sample));
+}
+
+void require_channels(const std::string& name, int channels, DirectionForm form) {
+  const int wanted = channels_of(form);
+  if (channels == wanted || (channels > wanted && form != DirectionForm::kAngle)) return;
+  throw file_error(ErrorKind::kMalformed, name,
+                   "expected " + counted(std::size_t(wanted), "channel") + " of directions as " + burnish::name(form) +
+                       ", got " + std::to_string(channels));
+}
+
+void require_values(const std::string& name, const Image& samples, DirectionForm form) {
+  for (std::size_t i = 0; i < samples.texels(); i++) {
+    const float* s = samples.data.data() + i * samples.channels;
+    const auto fail = [&](const std::string& wanted, float got) {
+      throw file_error(ErrorKind::kMalformed, name,
+                       "expected " + wanted + ", got " + number_text(got) + " at column " +
+                           std::to_string(i % samples.width) + ", row " + std::to_string(i / samples.width));
+    };
+    for (int c = 0; c < channels_of(form); c++)
+      if (!std::isfinite(s[c])) fail("finite directions", s[c]);
+    if (form == DirectionForm::kKhr && !(s[2] >= 0 && s[2] <= 1)) fail("a strength from 0 to 1", s[2]);
+  }
+}
+
+}  // namespace
+
+float rounding_error(SampleType sample) {
+  return !is_integer(sample) ? 0 : sample == SampleType::kUint8 ? 1 / 255.f : 1 / 65535.f;
+}
+
+void require_encodable(const DirectionCoding& coding, SampleType sample, const std::string& name) {
+  if (coding.form != DirectionForm::kAngle) require_encodable({coding.green, coding.encoding, ""}, sample, name);
+}
+
+const char* name(DirectionForm form) {
+  switch (form) {
+    case DirectionForm::kVector:
+      return "vector";
+    case DirectionForm::kAngle:
+      return "angle";
+    case DirectionForm::kFlow:
+      return "flow";
+    default:
+      return "khr";
+  }
+}
+
+DirectionMap read_direction_map(const FileRef& file, const DirectionCoding& coding) {
+  ImageReader reader(file);
+  require_channels(file.name, reader.channels(), coding.form);
+  require_encodable(coding, reader.sample_type(), file.name);
+  if (recorded_space(reader) == NormalSpace::kObject)
+    throw file_error(ErrorKind::kMalformed, file.name, "expected directions in tangent space, got object space");
+  Image samples(reader.width(), reader.height(), reader.channels());
+  reader.read_rows(0, samples.height, samples.data.data());
+  return decode_directions(file.name, samples, coding, reader.sample_type());
+}
+
+DirectionMap decode_directions(const std::string& name, const Image& samples, const DirectionCoding& coding,
+                               SampleType sample) {
+  require_values(name, samples, coding.form);
+  const bool biased = is_biased(coding, sample);
+  const float scale = biased ? 2.f : 1.f, bias = biased ? -1.f : 0.f;
+  const float up = coding.green == GreenAxis::kDown ? -1.f : 1.f;
+  const bool angles = coding.form == DirectionForm::kAngle, flat = coding.form != DirectionForm::kVector;
+  DirectionMap map{name, samples.width, samples.height, std::vector<Vec3f>(samples.texels()), 0, {}};
+  if (!angles) map.error = rounding_error(sample);
+  parallel_for(map.height, [&](std::size_t y) {
+    for (int x = 0; x < map.width; x++) {
+      const float* s = samples.at(x, int(y));
+      Vec3f& v = map.vectors[y * map.width + x];
+      if (angles) v = Vec3f(Vec3d{std::cos(2 * kPi * s[0]), std::sin(2 * kPi * s[0]), 0});
+      else v = {s[0] * scale + bias, up * (s[1] * scale + bias), flat ? 0 : s[2] * scale + bias};
+    }
+  });
+  if (coding.form == DirectionForm::kKhr)
+    for (std::size_t i = 0; i < samples.texels(); i++) map.strengths.push_back(samples.data[i * samples.channels + 2]);
+  return map;
+}
+
+Image encode_directions(const DirectionMap& map, const DirectionCoding& coding, SampleType sample) {
+  const bool biased = is_biased(coding, sample);
+  const float scale = biased ? 0.5f : 1.f, bias = biased ? 0.5f : 0.f;
+  const float up = coding.green == GreenAxis::kDown ? -1.f : 1.f;
+  Image samples(map.width, map.height, channels_of(coding.form));
+  parallel_for(map.height, [&](std::size_t y) {
+    for (int x = 0; x < map.width; x++) {
+      const std::size_t i = y * map.width + x;
+      const Vec3f v = map.vectors[i];
+      float* s = samples.at(x, int(y));
+      if (coding.form == DirectionForm::kAngle) {
+        const double turns = std::atan2(double(v.y), double(v.x)) / (2 * kPi);
+        s[0] = float(turns < 0 ? turns + 1 : turns);
+        continue;
+      }
+      s[0] = scale * v.x + bias;
+      s[1] = scale * up * v.y + bias;
+      if (coding.form == DirectionForm::kVector) s[2] = scale * v.z + bias;
+      if (coding.form == DirectionForm::kKhr) s[2] = map.strengths.empty() ? 1 : map.strengths[i];
+    }
+  });
+  round_to_samples(sample, samples.data);
+  return samples;
+}
+
+}  // namespace burnish

@@ -1,0 +1,54 @@
+// Directions of anisotropy, a vector a texel in tangent space, and the forms that files hold them in.
+//
+//   vector  x, y, z in the first three channels, of any length
+//   angle   one channel, 0 to 1 being one turn counter-clockwise from +u
+//   flow    x, y in the first two channels, of any length; further ones are ignored
+//   khr     KHR_materials_anisotropy: x, y in the first two channels, strength in [0,1] in the third
+//
+// Vectors are biased in integers and signed in floats, as normals are (normal/coding.h); khr is biased in both, as it
+// is defined. A chosen encoding holds for each of them, and so does the other green.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "burnish/core/image_io.h"
+#include "burnish/core/vec3.h"
+#include "burnish/normal/coding.h"
+
+namespace burnish {
+
+enum class DirectionForm { kVector, kAngle, kFlow, kKhr };
+const char* name(DirectionForm form);  // "vector", …
+
+struct DirectionCoding {
+  DirectionForm form = DirectionForm::kVector;
+  GreenAxis green = GreenAxis::kUp;
+  NormalEncoding encoding = NormalEncoding::kByType;
+};
+
+struct DirectionMap {
+  std::string name;  // for messages
+  int width = 0, height = 0;
+  std::vector<Vec3f> vectors;    // of any length, 0 where there is no direction
+  float error = 0;               // how far a component may be off (rounding_error)
+  std::vector<float> strengths;  // of khr; otherwise empty
+};
+
+// Of a component that was stored in such samples, at most: half a step in integers; 0 in floats, as if they were exact.
+float rounding_error(SampleType sample);
+
+// kUnsupported for the signed encoding in integers: they hold no negative values.
+void require_encodable(const DirectionCoding& coding, SampleType sample, const std::string& name);
+
+// kMalformed for fewer channels than the form has, for angles in more than one, NaN, infinity, strengths beyond [0,1],
+// and for a file that says its vectors are in object space; kUnsupported as above.
+DirectionMap read_direction_map(const FileRef& file, const DirectionCoding& coding);
+
+// Unit vectors as samples of that type; in the plane of the map for angle and khr. Without strengths khr has 1.
+Image encode_directions(const DirectionMap& map, const DirectionCoding& coding, SampleType sample);
+// What a reader makes of such samples. kMalformed as read_direction_map().
+DirectionMap decode_directions(const std::string& name, const Image& samples, const DirectionCoding& coding,
+                               SampleType sample);
+
+}  // namespace burnish
