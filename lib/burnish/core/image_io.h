@@ -46,6 +46,11 @@ class ImageReader {
   // The stored samples without conversion, size as sample_type(); only where has_exact_samples().
   void read_rows_stored(int first, int count, void* out);
 
+  // Of a mip chain; 1 for other files. The functions above speak of level 0, the base.
+  int levels() const;
+  // All texels of a level, whatever its size.
+  Image read_level(int level);
+
   // kMalformed unless the image has that size; `what` names the other image.
   void require_size(int width, int height, const std::string& what) const;
 

@@ -157,6 +157,23 @@ void ImageReader::read_rows_stored(int first, int count, void* out) {
   impl_->read(first, count, impl_->spec.format, out);
 }
 
+int ImageReader::levels() const {
+  int n = 1;
+  while (impl_->in->seek_subimage(0, n)) n++;  // of TIFF, spec() gives one for any number
+  impl_->in->geterror();                       // that there is no further one is no failure
+  return n;
+}
+
+Image ImageReader::read_level(int level) {
+  const OIIO::ImageSpec spec = impl_->in->spec_dimensions(0, level);
+  Image image(spec.width, spec.height, channels());
+  if (spec.nchannels != channels() ||
+      !impl_->in->read_image(0, level, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.data.data()) ||
+      impl_->in->has_error())
+    impl_->fail();
+  return image;
+}
+
 void ImageReader::require_size(int w, int h, const std::string& what) const {
   if (width() == w && height() == h) return;
   throw file_error(ErrorKind::kMalformed, name(),

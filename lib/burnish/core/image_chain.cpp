@@ -1,0 +1,45 @@
+#include "burnish/core/image_chain.h"
+
+#include "burnish/core/checked_output.h"
+#include "burnish/core/error.h"
+#include "burnish/core/mip.h"
+
+namespace burnish {
+
+void write_image_chain(const FileRef& file, SampleType sample, const std::vector<Image>& levels,
+                       const Attributes& attributes) {
+  if (levels.size() == 1) return write_image(file, FileType::kExr, sample, levels[0], attributes);
+  require_can_hold(FileType::kExr, sample, file.name);
+  const int all = level_count(levels[0].width, levels[0].height);
+  if (int(levels.size()) != all)
+    throw file_error(ErrorKind::kUnsupported, file.name,
+                     "EXR holds one level or all " + std::to_string(all) + ", not " + std::to_string(levels.size()));
+  detail::CheckedOutput out(file, FileType::kExr);
+  for (std::size_t l = 0; l < levels.size(); l++) {
+    const Image& level = levels[l];
+    OIIO::ImageSpec spec = out.spec(sample, level.width, level.height, level.channels, attributes);
+    spec.tile_width = spec.tile_height = 64;
+    spec.attribute("textureformat", "Plain Texture");  // mip levels, rounded down
+    out.open(spec, l == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel);
+    out.require(out.image().write_image(OIIO::TypeDesc::FLOAT, level.data.data()));
+  }
+  out.close();
+}
+
+std::vector<Image> read_image_chain(ImageReader& file) {
+  std::vector<Image> levels;
+  for (int l = 0; l < file.levels(); l++) {
+    levels.push_back(file.read_level(l));
+    if (l == 0) continue;
+    const Image &finer = levels[l - 1], &level = levels[l];
+    const int width = next_level_size(finer.width), height = next_level_size(finer.height);
+    if (level.width != width || level.height != height)
+      throw file_error(ErrorKind::kMalformed, file.name(),
+                       "expected " + std::to_string(width) + "x" + std::to_string(height) + " texels in level " +
+                           std::to_string(l) + ", got " + std::to_string(level.width) + "x" +
+                           std::to_string(level.height));
+  }
+  return levels;
+}
+
+}  // namespace burnish

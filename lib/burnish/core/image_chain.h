@@ -1,0 +1,21 @@
+// Mip chains of images: a file, its levels.
+//
+// Level sizes are those of core/mip.h. An EXR chain is tiled, MIPMAP_LEVELS, ROUND_DOWN; it holds one level, as plain
+// scanlines, or all down to one texel. Channels are named R, G, B, A, or Y where there is one.
+#pragma once
+
+#include <vector>
+
+#include "burnish/core/image_io.h"
+
+namespace burnish {
+
+// EXR only. The levels are of sizes and number as above, and have the same channels. kUnsupported for integer samples
+// and for chains that end early.
+void write_image_chain(const FileRef& file, SampleType sample, const std::vector<Image>& levels,
+                       const Attributes& attributes = {});
+
+// All levels of any image file, base first; files of most types have one. kMalformed where sizes are others.
+std::vector<Image> read_image_chain(ImageReader& file);
+
+}  // namespace burnish
