@@ -1,8 +1,8 @@
 // burnish-transfer: detail of a mesh into maps over the texture coordinates of a coarser one.
 #include "burnish/mesh/bake/transfer.h"
 
-#include <charconv>
 #include <cstdio>
+#include <tuple>
 #include <utility>
 
 #include "burnish/core/error.h"
@@ -16,20 +16,6 @@ using namespace burnish;
 using namespace burnish::cli;
 
 namespace {
-
-int parse_texels(const std::string& part, const std::string& text) {
-  int n = 0;
-  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), n);
-  if (error != std::errc() || end != part.data() + part.size() || n < 1)
-    throw CLI::ValidationError("--size", "expected texels such as 1024 or 1024x512, got '" + text + "'");
-  return n;
-}
-
-void parse_size(const std::string& text, TransferOptions& options) {
-  const std::size_t x = text.find('x');
-  options.width = parse_texels(text.substr(0, x), text);
-  options.height = x == std::string::npos ? options.width : parse_texels(text.substr(x + 1), text);
-}
 
 std::string percent(std::size_t part, std::size_t whole) {
   char text[16];
@@ -68,7 +54,12 @@ int main(int argc, char** argv) {
   app.add_option("HIGH", high, "Detailed mesh at the same place: .obj, .ply, .off, .stl")->required();
   output.add_to(app);
   app.add_option_function<std::string>(
-         "--size", [&](const std::string& t) { parse_size(t, options); }, "Texels of the maps (default 1024x1024)")
+         "--size",
+         [&](const std::string& t) {
+           std::tie(options.width, options.height) = parse_texels("--size", t);
+           if (!options.height) options.height = options.width;
+         },
+         "Texels of the maps (default 1024x1024)")
       ->type_name("W[xH]");
   add_choice<NormalSpace>(app, "--space", options.space,
                           {{"object", NormalSpace::kObject}, {"tangent", NormalSpace::kTangent}},

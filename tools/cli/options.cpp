@@ -1,6 +1,7 @@
 #include "cli/options.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -136,6 +137,7 @@ FileType WrittenAs::type_of(const std::string& path, const std::string& option) 
 std::string WrittenAs::list() const {
   std::vector<std::string> names;
   for (FileType type : types) names.push_back(name(type));
+  if (!also.empty()) names.push_back(also);
   return joined(names, ", ", " or ");
 }
 
@@ -169,11 +171,28 @@ void IndexedOutput::require_format(FileType type, std::size_t normals, const std
 }
 
 SampleType ImageOutput::sample() const {
-  SampleType sample = default_sample_type(type());
-  for (SampleType s : {SampleType::kUint8, SampleType::kUint16, SampleType::kHalf, SampleType::kFloat})
-    if (format == name(s)) sample = s;
+  const SampleType sample = sample_or(default_sample_type(type()));
   require_can_hold(type(), sample, shown(path));
   return sample;
+}
+
+SampleType ImageOutput::sample_or(SampleType otherwise) const {
+  for (SampleType s : {SampleType::kUint8, SampleType::kUint16, SampleType::kHalf, SampleType::kFloat})
+    if (format == name(s)) return s;
+  return otherwise;
+}
+
+std::pair<int, int> parse_texels(const std::string& flag, const std::string& text) {
+  const auto side = [&](const std::string& part) {
+    int n = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), n);
+    if (error != std::errc() || end != part.data() + part.size() || n < 1)
+      throw CLI::ValidationError(flag, "expected texels such as 1024 or 1024x512, got '" + text + "'");
+    return n;
+  };
+  const std::size_t x = text.find('x');
+  const int width = side(text.substr(0, x));
+  return {width, x == std::string::npos ? 0 : side(text.substr(x + 1))};
 }
 
 double parse_length(const std::string& flag, const std::string& text) {

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <utility>
 
 #include "burnish/core/image_io.h"
 #include "burnish/normal/coding.h"
@@ -45,6 +46,7 @@ void add_normal_coding(CLI::App& app, NormalCoding& coding, bool with_channels);
 struct WrittenAs {
   std::string what;  // "a palette"
   std::vector<FileType> types;
+  std::string also{};  // what the tool writes besides, by itself: "C header (.h)"
 
   // By the extension; kUnsupported, with the option that names the file, where it is none of them.
   FileType type_of(const std::string& path, const std::string& option) const;
@@ -64,6 +66,8 @@ struct ImageOutput {
   FileType type() const;
   // By -d, otherwise the default of the type. Throws where the type cannot hold it.
   SampleType sample() const;
+  // By -d, otherwise that.
+  SampleType sample_or(SampleType otherwise) const;
 };
 
 // -o, -d and --output-type of an indexed normal map, --palette-output of the palette beside it.
@@ -83,6 +87,9 @@ struct IndexedOutput {
   // otherwise.
   void require_format(FileType type, std::size_t normals, const std::string& file) const;
 };
+
+// Texels such as 1024 or 1024x512, each at least 1; the second is 0 where it is left out. Throws CLI::ValidationError.
+std::pair<int, int> parse_texels(const std::string& flag, const std::string& text);
 
 // A length such as 2, 2m, 10cm or 5mm; metres and plain numbers count alike. Throws CLI::ValidationError.
 double parse_length(const std::string& flag, const std::string& text);
