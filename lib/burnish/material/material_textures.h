@@ -50,6 +50,14 @@ struct MaterialTextures {
 // none, kUsage where there are several.
 std::string material_file(const std::string& prefix, char which);
 
+// PREFIX_t.exr and so on: what they are written to.
+std::string material_file(const std::string& prefix, char which, FileType type);
+
+// With the attributes above. kUnsupported where the type does not hold the samples, and for several levels in any but
+// EXR.
+void write_material_textures(const MaterialTextures& textures, const FileRef& t, const FileRef& b, const FileRef& n,
+                             FileType type, SampleType sample);
+
 // kMalformed where a file's attributes or channels are not those of its model, where the three differ in size, levels
 // or model, and for NaN and infinity.
 MaterialTextures read_material_textures(const FileRef& t, const FileRef& b, const FileRef& n);

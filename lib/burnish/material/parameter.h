@@ -1,0 +1,34 @@
+// A parameter of a material: one number for all texels, or a map of them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "burnish/core/file_ref.h"
+#include "burnish/material/shared_size.h"
+
+namespace burnish {
+
+// How it is given. Of a map the first channel counts: integers as [0,1], floats as they are, and true values are
+// stored · burnish:scale + burnish:bias where the file says so.
+struct ParameterSource {
+  float number = 0;
+  FileRef map;  // goes before the number, where there is one
+};
+
+struct Parameter {
+  std::string name;  // for messages: "alpha-x", or the map's
+  float number = 0;
+  std::vector<float> values;  // of a map, row by row; otherwise empty
+  int width = 0;              // of a map
+
+  float at(std::size_t texel) const { return values.empty() ? number : values[texel]; }
+  // Throws where a value is not as wanted: kUsage for the number, kMalformed with column and row for a texel.
+  void require(const std::function<bool(float)>& holds, const std::string& wanted) const;
+};
+
+// kMalformed as SharedSize.
+Parameter read_parameter(const std::string& name, const ParameterSource& source, SharedSize& size);
+
+}  // namespace burnish
