@@ -1,11 +1,10 @@
 // burnish-tangents: direction-of-anisotropy maps.
 #include <cmath>
-#include <optional>
 
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
 #include "burnish/material/convert_directions.h"
-#include "cli/options.h"
+#include "cli/direction_options.h"
 #include "cli/tool.h"
 
 using namespace burnish;
@@ -32,9 +31,9 @@ int main(int argc, char** argv) {
   DirectionSource from;
   DirectionTarget to;
   double rotate_deg = 0;
-  std::optional<GreenAxis> normals_green;
+  DirectionOptions coding;
 
-  app.add_option("DIRECTION", input, "Direction map; '-' is standard input. --y and --encoding hold for it and for -o")
+  app.add_option("DIRECTION", input, "Direction map; '-' is standard input. --y and --encoding hold for -o too")
       ->required();
   output.add_to(app);
   const Words<DirectionForm> forms{{"vector", DirectionForm::kVector},
@@ -53,19 +52,13 @@ int main(int argc, char** argv) {
       ->type_name("DEG");
   app.add_flag("--flip-u", from.turns.flip_u, "Flip image and vectors left to right, before they are rotated");
   app.add_flag("--flip-v", from.turns.flip_v, "Flip image and vectors upside down, before they are rotated");
-  add_normal_coding(app, from.normal_coding, true);
-  add_choice<std::optional<GreenAxis>>(app, "--normal-y", normals_green,
-                                       {{"up", GreenAxis::kUp}, {"down", GreenAxis::kDown}},
-                                       "Green of the normal map where it is not that of the directions")
-      ->group("Normal map");
+  coding.add_to(app);
 
   return tool.run(argc, argv, [&]() -> Json {
     from.turns.quarters = quarters_of(rotate_deg);
-    for (DirectionCoding* coding : {&from.coding, &to.coding}) {
-      coding->green = from.normal_coding.green;
-      coding->encoding = from.normal_coding.encoding;
-    }
-    if (normals_green) from.normal_coding.green = *normals_green;
+    from.coding = coding.directions(from.coding.form);
+    to.coding = coding.directions(to.coding.form);
+    from.normal_coding = coding.normals();
     to.type = output.type();
     to.sample = output.sample();
     from.directions = tool.read(input);

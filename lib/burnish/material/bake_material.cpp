@@ -55,8 +55,8 @@ class Bake {
         alpha->require([&](float v) { return v >= alpha_least; },
                        "at least " + number_text(alpha_least) + (combiner ? " for the combiner range" : of));
     if (maps_.model == MaterialModel::kWard) return;
-    const float alpha_most = integers ? 1 : most, exponent_most = alpha_most * kExponentScale;
-    maps_.k_s.require([&](float v) { return v <= alpha_most; }, "at most " + number_text(alpha_most) + of);
+    const float channel_most = integers ? 1 : most, exponent_most = channel_most * kExponentScale;
+    maps_.k_s.require([&](float v) { return v <= channel_most; }, "at most " + number_text(channel_most) + of);
     maps_.exponent.require([&](float v) { return v <= exponent_most; }, "at most " + number_text(exponent_most) + of);
   }
 
