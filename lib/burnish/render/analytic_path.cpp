@@ -1,13 +1,14 @@
-#include "burnish/render/shading_path.h"
+#include "burnish/render/anisotropy/reflectance_path.h"
 
 namespace burnish {
 namespace {
 
 class AnalyticPath final : public ShadingPath {
  public:
-  explicit AnalyticPath(const FrameSetup& setup) : setup_(setup) {}
+  explicit AnalyticPath(const FrameSetup& setup) : setup_(setup), reflectance_(setup) {}
 
   Vec3d shade(std::size_t object, const SurfacePoint& point) const override {
+    if (setup_.scene.objects[object].reflectance) return reflectance_.shade(object, point);
     const Object& o = setup_.scene.objects[object];
     const Vec3d position = o.transform.point_to_world(point.position);
     std::vector<Arriving> lights;
@@ -19,6 +20,7 @@ class AnalyticPath final : public ShadingPath {
   }
 
   LookedUp look_up(std::size_t object, const SurfacePoint& point) const override {
+    if (setup_.scene.objects[object].reflectance) return reflectance_.look_up(object, point);
     LookedUp out;
     out.normal = normal(object, point);
     if (const auto& indexed = setup_.assets[object].indexed) {
@@ -54,6 +56,7 @@ class AnalyticPath final : public ShadingPath {
   }
 
   FrameSetup setup_;
+  AnalyticReflectance reflectance_;  // of the objects that have one
 };
 
 }  // namespace
@@ -63,8 +66,25 @@ std::unique_ptr<ShadingPath> make_analytic_path(const FrameSetup& setup) {
 }
 
 std::unique_ptr<ShadingPath> make_path(RenderPath path, const FrameSetup& setup) {
-  if (path == RenderPath::kAnalytic) return make_analytic_path(setup);
-  return make_palette_path(setup, path == RenderPath::kPaletteExpanded);
+  switch (path) {
+    case RenderPath::kAnalytic:
+      return make_analytic_path(setup);
+    case RenderPath::kPalette:
+      return make_palette_path(setup, false);
+    case RenderPath::kPaletteExpanded:
+      return make_palette_path(setup, true);
+    case RenderPath::kCombiner:
+      return make_combiner_path(setup);
+    case RenderPath::kImaging:
+      return make_imaging_path(setup);
+    case RenderPath::kStrandPs11:
+    case RenderPath::kStrandPs14:
+    case RenderPath::kStrandBump:
+    case RenderPath::kStrandBumpUnnormalised:
+      return make_strand_path(setup, path);
+    default:
+      return make_table_path(setup, path);
+  }
 }
 
 Vec3d base_colour(const BaseColour& base, const ObjectAssets& assets, const SurfacePoint& point, Filter filter,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/brdf/tables/table_file.h"
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
 #include "burnish/mesh/files/mesh_io.h"
@@ -65,19 +66,28 @@ std::shared_ptr<const MeshSurface> read_surface(const Object& object, std::size_
   dropped_faces = stats.dropped_faces;
   if (!object.normal_map.empty() || !object.indexed_map.empty() || !object.base.map.empty())
     require_uvs(mesh, "since the object has maps");
+  if (object.reflectance) require_uvs(mesh, "which tell its reflectance the direction of the tangents");
   return std::make_shared<const MeshSurface>(std::move(mesh), object.shading);
 }
 
-// Linear RGB.
-Image read_base_colour(const BaseColour& base) {
+struct ColourMap {
+  Image rgb;  // linear
+  Image alpha;
+};
+
+ColourMap read_base_colour(const BaseColour& base, bool with_alpha) {
   ImageReader reader(base.map);
   Image stored(reader.width(), reader.height(), reader.channels());
   reader.read_rows(0, stored.height, stored.data.data());
   const bool srgb = base.srgb.value_or(reader.integer());
   if (reader.channels() == 2)
     throw file_error(ErrorKind::kMalformed, base.map, "expected 1 channel, or 3 and more, got 2");
-  Image out(stored.width, stored.height, 3);
-  for (std::size_t i = 0; i < out.texels(); i++)
+  if (with_alpha && reader.channels() < 4)
+    throw file_error(ErrorKind::kMalformed, base.map,
+                     "expected 4 channels, the last of which is gloss, got " + std::to_string(reader.channels()));
+  ColourMap out{Image(stored.width, stored.height, 3), Image(stored.width, stored.height)};
+  for (std::size_t i = 0; i < stored.texels(); i++) {
+    if (with_alpha) out.alpha.data[i] = stored.data[i * stored.channels + 3];
     for (int c = 0; c < 3; c++) {
       const float s = stored.data[i * stored.channels + (stored.channels >= 3 ? c : 0)];
       if (!(s >= 0 && std::isfinite(s)))
@@ -86,9 +96,36 @@ Image read_base_colour(const BaseColour& base) {
         throw file_error(ErrorKind::kMalformed, base.map,
                          "expected sRGB colours of at most 1, got " + number_text(s) +
                              "; base_color_transfer = \"linear\" takes more");
-      out.data[i * 3 + c] = srgb ? float(linear_from_srgb(s)) : s;
+      out.rgb.data[i * 3 + c] = srgb ? float(linear_from_srgb(s)) : s;
     }
+  }
   return out;
+}
+
+void read_reflectance(const Object& object, ObjectAssets& assets) {
+  const Reflectance& r = *object.reflectance;
+  assets.reflectance = read_reflectance_maps(r, object.normal_map, object.coding);
+  assets.invalid_texels = assets.reflectance->invalid_normals;
+  if (r.textures.empty()) return;
+  assets.textures = read_material_textures(material_file(r.textures, 't'), material_file(r.textures, 'b'),
+                                           material_file(r.textures, 'n'));
+  if (assets.textures->model != r.material_model())
+    throw file_error(ErrorKind::kMalformed, material_file(r.textures, 't'),
+                     std::string("expected textures of the model ") + name(r.material_model()) + ", got " +
+                         name(assets.textures->model));
+  if (object.mip != MipMode::kOff && assets.textures->t.levels.size() == 1 && assets.textures->width() > 1)
+    throw file_error(ErrorKind::kMalformed, material_file(r.textures, 't'),
+                     "expected a chain of mip levels, as 'mip' asks for, got one level");
+}
+
+void read_tables(Scene& scene) {
+  for (auto& [kind, table] : scene.tables) {
+    TableFile file = read_table(table.file);
+    if (file.function.kind != kind)
+      throw file_error(ErrorKind::kMalformed, table.file,
+                       std::string("expected a table of ") + name(kind) + ", got one of " + name(file.function.kind));
+    table.table = std::make_shared<const LookupTable>(std::move(file.table));
+  }
 }
 
 void read_panoramas(Scene& scene) {
@@ -122,11 +159,22 @@ void assign_materials(const Scene& scene, const Object& object, ObjectAssets& as
 
 std::vector<ObjectAssets> load_assets(Scene& scene) {
   read_panoramas(scene);
+  read_tables(scene);
   std::vector<ObjectAssets> out;
   for (const Object& object : scene.objects) {
     ObjectAssets assets;
     if (!object.mesh.empty()) assets.mesh = read_surface(object, assets.dropped_faces);
-    if (!object.base.map.empty()) assets.base_colour = read_base_colour(object.base);
+    if (!object.base.map.empty()) {
+      const bool gloss = object.reflectance && object.reflectance->gloss;
+      ColourMap map = read_base_colour(object.base, gloss);
+      assets.base_colour = std::move(map.rgb);
+      if (gloss) assets.gloss = std::move(map.alpha);
+    }
+    if (object.reflectance) {
+      read_reflectance(object, assets);
+      out.push_back(std::move(assets));
+      continue;
+    }
     if (!object.indexed_map.empty()) assets.indexed = read_map(scene, object);
     std::optional<NormalSpace> recorded;
     if (!object.normal_map.empty()) recorded = read_normal_map(object, assets);

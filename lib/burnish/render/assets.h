@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "burnish/palette/indexed_map.h"
+#include "burnish/render/anisotropy/reflectance_maps.h"
 #include "burnish/render/scene.h"
 
 namespace burnish {
@@ -15,6 +16,7 @@ struct ObjectAssets {
   std::shared_ptr<const MeshSurface> mesh;  // null for other surfaces
   std::size_t dropped_faces = 0;            // of the mesh; they have no area
   std::optional<Image> base_colour;         // linear RGB; none where the object has no such map
+  std::optional<Image> gloss;               // alpha of the base colour's map, where it is asked for
 
   // The unquantized normal map; where the object has none, the indexed map's base level through its palette; empty
   // where it has neither.
@@ -22,6 +24,9 @@ struct ObjectAssets {
   std::vector<Vec3f> normals;
   NormalSpace space = NormalSpace::kTangent;
   std::size_t invalid_texels = 0;  // of the normal map; they became (0,0,1)
+
+  std::optional<ReflectanceMaps> reflectance;  // where the object has one; it holds the normals then
+  std::optional<MaterialTextures> textures;
 
   std::optional<IndexedMap> indexed;
   std::vector<const Material*> interval_materials;  // of each interval of the palette; into Scene::materials

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <set>
 
+#include "burnish/core/wording.h"
+#include "burnish/render/anisotropy/scene_reflectance.h"
 #include "burnish/render/scene_materials.h"
 #include "burnish/render/scene_objects.h"
 #include "burnish/render/toml_file.h"
@@ -84,28 +86,41 @@ ValidationSettings validation(const TomlTable& t) {
 
 }  // namespace
 
+namespace {
+
+const std::vector<std::pair<const char*, RenderPath>> kPaths{
+    {"analytic", RenderPath::kAnalytic},
+    {"palette", RenderPath::kPalette},
+    {"palette-expanded", RenderPath::kPaletteExpanded},
+    {"banks", RenderPath::kBanks},
+    {"banks-approximate", RenderPath::kBanksApproximate},
+    {"blinn-phong", RenderPath::kBlinnPhong},
+    {"blinn-phong-eq1", RenderPath::kBlinnPhongEquation1},
+    {"ward", RenderPath::kWard},
+    {"combiner", RenderPath::kCombiner},
+    {"imaging", RenderPath::kImaging},
+    {"strand-ps11", RenderPath::kStrandPs11},
+    {"strand-ps14", RenderPath::kStrandPs14},
+    {"strand-bump", RenderPath::kStrandBump},
+    {"strand-bump-unnormalised", RenderPath::kStrandBumpUnnormalised},
+};
+
+}  // namespace
+
 const char* name(RenderPath path) {
-  switch (path) {
-    case RenderPath::kPalette:
-      return "palette";
-    case RenderPath::kPaletteExpanded:
-      return "palette-expanded";
-    case RenderPath::kAnalytic:
-      break;
-  }
-  return "analytic";
+  return std::ranges::find(kPaths, path, &std::pair<const char*, RenderPath>::second)->first;
 }
 
 RenderPath render_path(const std::string& name, ErrorKind unknown) {
-  static const std::set<std::string> kLater{
-      "banks",       "banks-approximate", "blinn-phong", "blinn-phong-eq1",          "ward", "combiner", "imaging",
-      "strand-ps11", "strand-ps14",       "strand-bump", "strand-bump-unnormalised", "ptm",  "ptm-brdf"};
-  for (RenderPath path : {RenderPath::kAnalytic, RenderPath::kPalette, RenderPath::kPaletteExpanded})
-    if (name == burnish::name(path)) return path;
-  if (kLater.contains(name))
-    throw Error(ErrorKind::kUnsupported,
-                "path '" + name + "' is not there yet; there are analytic, palette and palette-expanded");
-  throw Error(unknown, "expected a path, analytic, palette or palette-expanded, got '" + name + "'");
+  std::vector<std::string> all;
+  for (const auto& [word, path] : kPaths) {
+    if (name == word) return path;
+    all.emplace_back(word);
+  }
+  for (const char* later : {"ptm", "ptm-brdf"})
+    if (name == later)
+      throw Error(ErrorKind::kUnsupported, "path '" + name + "' is not there yet; there are " + joined(all));
+  throw Error(unknown, "expected a path, one of " + joined(all) + ", got '" + name + "'");
 }
 
 std::string described(const Object& object) {
@@ -121,6 +136,10 @@ std::vector<std::string> Scene::files() const {
   };
   for (const Object& o : objects)
     for (const std::string& file : {o.mesh, o.normal_map, o.indexed_map, o.palette, o.base.map}) add(file);
+  for (const Object& o : objects)
+    if (o.reflectance)
+      for (const std::string& file : o.reflectance->files()) add(file);
+  for (const auto& [kind, table] : tables) add(table.file);
   for (const Material& m : materials)
     for (const LightingModel& term : m.terms)
       if (const auto* environment = std::get_if<Environment>(&term)) add(environment->file);
@@ -148,6 +167,7 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::str
   for (const TomlTable& t : root.tables("object")) scene.objects.push_back(parse_object(t, directory));
   if (scene.objects.empty()) root.fail("object", "expected at least one [[object]], got none");
   scene.materials = parse_materials(root, directory);
+  scene.tables = parse_tables(root.table("tables"), directory);
   scene.validation = validation(root.table("validate"));
   root.refuse_unknown();
   return scene;

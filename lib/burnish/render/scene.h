@@ -15,6 +15,7 @@
 #include "burnish/core/vec3.h"
 #include "burnish/normal/coding.h"
 #include "burnish/palette/indexed_map.h"
+#include "burnish/render/anisotropy/reflectance.h"
 #include "burnish/render/blend.h"
 #include "burnish/render/camera.h"
 #include "burnish/render/light.h"
@@ -27,8 +28,23 @@
 
 namespace burnish {
 
-enum class RenderPath { kAnalytic, kPalette, kPaletteExpanded };
-const char* name(RenderPath path);  // "analytic", "palette", "palette-expanded"
+enum class RenderPath {
+  kAnalytic,
+  kPalette,
+  kPaletteExpanded,
+  kBanks,
+  kBanksApproximate,
+  kBlinnPhong,
+  kBlinnPhongEquation1,
+  kWard,
+  kCombiner,
+  kImaging,
+  kStrandPs11,
+  kStrandPs14,
+  kStrandBump,
+  kStrandBumpUnnormalised,
+};
+const char* name(RenderPath path);  // "analytic", "palette", "palette-expanded", "banks", …
 // kUnsupported for a path that is not built yet, `unknown` for a name that means nothing; both say what there
 // is.
 RenderPath render_path(const std::string& name, ErrorKind unknown);
@@ -51,6 +67,7 @@ struct Object {
   BaseColour base;
   std::optional<NormalSpace> normal_space;  // of both maps; none: as they say, otherwise tangent
   NormalCoding coding;  // of the normal map; its green axis also of an indexed map that does not tell its own
+  std::optional<Reflectance> reflectance;  // none: the scene's materials
   Filter filter = Filter::kNearest;
   MipMode mip = MipMode::kOff;
 };
@@ -86,6 +103,7 @@ struct Scene {
   Vec3d turn_axis{0, 1, 0};  // unit; frames turn the lights about it, through the world's origin
   std::vector<Object> objects;
   std::vector<Material> materials;  // one without an id, or all with ids that differ
+  SceneTables tables;
   ValidationSettings validation;
 
   // Every file that the scene names, in their order, each once.

@@ -1,5 +1,7 @@
 #include "burnish/render/scene_objects.h"
 
+#include "burnish/render/anisotropy/scene_reflectance.h"
+
 namespace burnish {
 namespace {
 
@@ -81,7 +83,15 @@ Object parse_object(const TomlTable& t, const std::string& directory) {
                               letters.find_first_not_of("xyzwrgbaXYZWRGBA") != std::string::npos))
       t.fail("channels", "expected two or three letters of x y z w or r g b a, got '" + letters + "'");
   }
-  if (!o.indexed_map.empty()) {
+  if (t.has("reflectance")) {
+    if (t.has("blend"))
+      t.fail("blend", "expected no blending beside [object.reflectance], which the base colour is part of");
+    if (!o.indexed_map.empty()) t.fail("indexed_map", "expected no indexed map beside [object.reflectance]");
+    o.reflectance = parse_reflectance(t.table("reflectance"), directory);
+    if (o.reflectance->gloss && o.base.map.empty())
+      t.fail("base_color_map", "expected a map, whose alpha is the gloss that [object.reflectance] asks for, got none");
+  }
+  if (!o.indexed_map.empty() || o.reflectance) {
     o.filter = t.choice<Filter>("filter", {{"nearest", Filter::kNearest}, {"bilinear", Filter::kBilinear}}, o.filter);
     o.mip = t.choice<MipMode>(
         "mip", {{"off", MipMode::kOff}, {"nearest", MipMode::kNearest}, {"linear", MipMode::kLinear}}, o.mip);

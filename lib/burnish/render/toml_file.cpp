@@ -88,6 +88,11 @@ bool TomlTable::has_array(const std::string& key) const {
   return node && node->is_array();
 }
 
+bool TomlTable::is_text(const std::string& key) const {
+  const toml::node* node = impl_->find(key);
+  return node && node->is_string();
+}
+
 void TomlTable::fail(const std::string& key, const std::string& message) const {
   const toml::node* node = impl_->table->get(key);
   fail_at(impl_->file, node ? line_of(*node) : impl_->line, "'" + impl_->prefix + key + "': " + message);

@@ -37,6 +37,7 @@ class TomlTable {
 
   bool has(const std::string& key) const;
   bool has_array(const std::string& key) const;
+  bool is_text(const std::string& key) const;
   // Without a fallback the key is required.
   double number(const std::string& key, const NumberRange& range, std::optional<double> fallback = {}) const;
   int integer(const std::string& key, int least, int most, std::optional<int> fallback = {}) const;

@@ -40,6 +40,7 @@ struct Transform {
 
   Vec3d point_to_world(Vec3d p) const { return rotation.apply(p * scale) + translation; }
   Vec3d point_to_object(Vec3d p) const { return direction_to_object(p - translation); }
+  Vec3d direction_to_world(Vec3d d) const { return rotation.apply(d * scale); }
   Vec3d direction_to_object(Vec3d d) const { return divided(rotation.inverse(d)); }
   // A normal of any length, as a unit vector, stretched but not turned yet.
   Vec3d stretched_normal(Vec3d n) const { return normalized(divided(n)); }
