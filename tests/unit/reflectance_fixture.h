@@ -11,22 +11,25 @@ namespace burnish::testing {
 // Bumps whose normals lean up to `slope`, and a direction that turns over the map.
 inline ReflectanceMaps bumpy_maps(int side, double slope, double alpha_x, double alpha_y, double k_s = 0.5,
                                   double exponent = 40) {
-  ReflectanceMaps m;
+  ReflectanceMaps maps{{}, {}, true};
+  MaterialMaps& m = maps.material;
   m.width = m.height = side;
-  m.alpha_x.number = alpha_x, m.alpha_y.number = alpha_y, m.k_s.number = k_s, m.exponent.number = exponent;
+  m.alpha_x.number = float(alpha_x), m.alpha_y.number = float(alpha_y);
+  m.k_s.number = float(k_s), m.exponent.number = float(exponent);
   for (int y = 0; y < side; y++)
     for (int x = 0; x < side; x++) {
       const double u = (x + 0.5) / side, v = 1 - (y + 0.5) / side, turn = kPi * (u + v);
       const Vec3d n{slope * std::sin(6 * kPi * u), slope * std::cos(4 * kPi * v), 1};
-      m.normals.push_back(Vec3f(normalized(n)));
-      m.directions.push_back(Vec3f(Vec3d{std::cos(turn), std::sin(turn), 0}));
-      m.tangents.push_back(Vec3f(orthonormal_frame(n, Vec3d(m.directions.back()))->t));
+      maps.directions.push_back(Vec3f(Vec3d{std::cos(turn), std::sin(turn), 0}));
+      m.n.push_back(Vec3f(normalized(n)));
+      m.t.push_back(Vec3f(orthonormal_frame(n, Vec3d(maps.directions.back()))->t));
     }
-  return m;
+  return maps;
 }
 
 // Rounded as 8 bits in the combiners' range are, or true values.
-inline MaterialTextures baked(const ReflectanceMaps& m, MaterialModel model, bool combiner) {
+inline MaterialTextures baked(const ReflectanceMaps& maps, MaterialModel model, bool combiner) {
+  const MaterialMaps& m = maps.material;
   MaterialTextures out;
   out.model = model;
   const auto with_alpha = [&](MaterialTexture& t, bool alpha) {
@@ -49,7 +52,7 @@ inline MaterialTextures baked(const ReflectanceMaps& m, MaterialModel model, boo
     }
   };
   for (std::size_t i = 0; i < std::size_t(m.width) * m.height; i++) {
-    const LocalFrame f = m.frame(i);
+    const LocalFrame f = maps.frame(i);
     const bool banks = model == MaterialModel::kBanks;
     const Ward w{m.k_s.at(i), m.alpha_x.at(i), m.alpha_y.at(i)};
     store(out.t, i, f.t / (banks ? 1 : w.alpha_x), w.k_s);
@@ -57,6 +60,14 @@ inline MaterialTextures baked(const ReflectanceMaps& m, MaterialModel model, boo
     store(out.n, i, f.n, ward_scale(w));
   }
   return out;
+}
+
+// One texel, direction t.
+inline ReflectanceMaps one_texel(Vec3f t = {1, 0, 0}) {
+  ReflectanceMaps maps{{}, {t}, false};
+  maps.material.t = {t}, maps.material.n = {{0, 0, 1}};
+  maps.material.k_s.number = 0.7f;
+  return maps;
 }
 
 inline SceneTable table_of(LookupKind kind, int width, int height, TableLayout layout = TableLayout::kPlain,
@@ -93,7 +104,12 @@ inline ReflectiveScene reflective(ReflectanceModel model, const ReflectanceMaps&
   s.scene.objects[0].reflectance = r;
   s.scene.tables = default_tables();
   s.assets.reflectance = maps;
-  if (!r.is_strand()) s.assets.textures = baked(maps, r.material_model(), combiner);
+  const bool blinn = model == ReflectanceModel::kBlinnPhong || model == ReflectanceModel::kBlinnPhongEquation1;
+  const MaterialModel material = model == ReflectanceModel::kWard ? MaterialModel::kWard
+                                 : blinn                          ? MaterialModel::kBlinnPhong
+                                                                  : MaterialModel::kBanks;
+  s.scene.objects[0].reflectance->source.model = material;
+  if (!r.is_strand()) s.assets.textures = baked(maps, material, combiner);
   return s;
 }
 

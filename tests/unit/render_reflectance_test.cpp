@@ -23,7 +23,7 @@ TEST(ReflectancePaths, TablesKeepToTheFormulas) {
   for (const bool sphere : {false, true})
     for (const auto& [model, path] : kTablePaths) {
       const ReflectiveScene s = reflective(model, bumpy_maps(64, 0.3, 0.3, 0.8), sphere);
-      EXPECT_GE(psnr_db(s, path), 45) << name(path) << (sphere ? " on a sphere" : "");
+      EXPECT_GE(psnr_db(s, path), 65) << name(path) << (sphere ? " on a sphere" : "");
     }
 }
 
@@ -37,10 +37,7 @@ TEST(ReflectancePaths, WithoutTablesTheyAreExact) {
 
 // The one pixel's colour is diffuse · n·l + specular · L_o of the formula, by hand.
 TEST(ReflectancePaths, TheTwinIsTheFormula) {
-  ReflectanceMaps maps;
-  maps.k_s.number = 0.7;
-  maps.direction = {0.8f, 0.6f, 0};
-  const ReflectiveScene s = reflective(ReflectanceModel::kBanks, maps);
+  const ReflectiveScene s = reflective(ReflectanceModel::kBanks, one_texel({0.8f, 0.6f, 0}));
   const Vec3d l = s.scene.lights[0].direction, v{0, 0, 1};
   const double expected = 0.2 * l.z + 0.6 * banks({{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}, 0.7, l, v);
   const Frame frame = render(s.scene, s.assets, RenderPath::kAnalytic);
@@ -108,9 +105,9 @@ TEST(ReflectancePaths, TheImagingSubsetRefusesWhatChangesTheHalfwayVector) {
 TEST(ReflectancePaths, StrandsKeepToTheFormula) {
   for (const bool sphere : {false, true}) {
     ReflectanceMaps maps = bumpy_maps(64, 0.3, 1, 1);
-    maps.exponent.number = 16;
     ReflectiveScene bumpy = reflective(ReflectanceModel::kStrand, maps, sphere);
-    maps.normals.clear(), maps.tangents = maps.directions;
+    maps.bumpy = false, maps.material.t = maps.directions;
+    maps.material.n.assign(maps.directions.size(), {0, 0, 1});
     ReflectiveScene flat = reflective(ReflectanceModel::kStrand, maps, sphere);
     EXPECT_GE(psnr_db(flat, RenderPath::kStrandPs11), 45);
     flat.scene.lights.push_back({LightType::kDirectional, normalized(Vec3d{1, 0, 1}), {}, {0.2, 0.1, 0.7}});
@@ -123,8 +120,7 @@ TEST(ReflectancePaths, StrandsKeepToTheFormula) {
 }
 
 TEST(ReflectancePaths, StrandShadersRefuseWhatTheyDoNotHave) {
-  ReflectanceMaps maps;
-  ReflectiveScene s = reflective(ReflectanceModel::kStrand, maps);
+  ReflectiveScene s = reflective(ReflectanceModel::kStrand, one_texel());
   const auto refused = [&](RenderPath path, const std::string& why) {
     EXPECT_ERROR(render(s.scene, s.assets, path), ErrorKind::kMalformed, why);
   };
@@ -134,9 +130,9 @@ TEST(ReflectancePaths, StrandShadersRefuseWhatTheyDoNotHave) {
   s.scene.lights.resize(5);
   refused(RenderPath::kStrandPs14, "path 'strand-ps14' takes up to four lights, got 5");
   s.scene.lights.resize(1);
-  s.assets.reflectance->normals = {{0, 0, 1}};
+  s.assets.reflectance->bumpy = true;
   refused(RenderPath::kStrandPs11, "takes no normal map");
-  s.assets.reflectance->normals.clear();
+  s.assets.reflectance->bumpy = false;
   s.scene.objects[0].reflectance->gloss = true;
   refused(RenderPath::kStrandPs14, "has no gloss");
   s.scene.tables.clear();

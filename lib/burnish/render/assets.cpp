@@ -104,14 +104,14 @@ ColourMap read_base_colour(const BaseColour& base, bool with_alpha) {
 
 void read_reflectance(const Object& object, ObjectAssets& assets) {
   const Reflectance& r = *object.reflectance;
-  assets.reflectance = read_reflectance_maps(r, object.normal_map, object.coding);
-  assets.invalid_texels = assets.reflectance->invalid_normals;
+  assets.reflectance = read_reflectance_maps(r);
+  assets.invalid_texels = assets.reflectance->material.invalid_normal_texels;
   if (r.textures.empty()) return;
   assets.textures = read_material_textures(material_file(r.textures, 't'), material_file(r.textures, 'b'),
                                            material_file(r.textures, 'n'));
-  if (assets.textures->model != r.material_model())
+  if (assets.textures->model != r.source.model)
     throw file_error(ErrorKind::kMalformed, material_file(r.textures, 't'),
-                     std::string("expected textures of the model ") + name(r.material_model()) + ", got " +
+                     std::string("expected textures of the model ") + name(r.source.model) + ", got " +
                          name(assets.textures->model));
   if (object.mip != MipMode::kOff && assets.textures->t.levels.size() == 1 && assets.textures->width() > 1)
     throw file_error(ErrorKind::kMalformed, material_file(r.textures, 't'),

@@ -84,10 +84,15 @@ Object parse_object(const TomlTable& t, const std::string& directory) {
       t.fail("channels", "expected two or three letters of x y z w or r g b a, got '" + letters + "'");
   }
   if (t.has("reflectance")) {
+    if (o.normal_space == NormalSpace::kObject)
+      t.fail("normal_space", "expected tangent beside [object.reflectance], got object");
     if (t.has("blend"))
       t.fail("blend", "expected no blending beside [object.reflectance], which the base colour is part of");
     if (!o.indexed_map.empty()) t.fail("indexed_map", "expected no indexed map beside [object.reflectance]");
     o.reflectance = parse_reflectance(t.table("reflectance"), directory);
+    o.reflectance->source.normals = o.normal_map;
+    o.reflectance->source.normal_coding = o.coding;
+    o.reflectance->source.direction_coding.green = o.coding.green;
     if (o.reflectance->gloss && o.base.map.empty())
       t.fail("base_color_map", "expected a map, whose alpha is the gloss that [object.reflectance] asks for, got none");
   }

@@ -14,11 +14,12 @@ Vec3d halfway(Vec3d l, Vec3d v) {
   return length(sum) > 0 ? normalized(sum) : sum;
 }
 
-Reflected evaluate(ReflectanceModel model, const ReflectanceMaps& m, std::size_t i, Vec3d l, Vec3d v) {
-  const LocalFrame f = m.frame(i);
+Reflected evaluate(const Reflectance& r, const ReflectanceMaps& maps, std::size_t i, Vec3d l, Vec3d v) {
+  const LocalFrame f = maps.frame(i);
+  const MaterialMaps& m = maps.material;
   const double lit = std::max(0.0, dot(f.n, l)), k_s = m.k_s.at(i);
   const BlinnPhong blinn{k_s, m.alpha_x.at(i), m.alpha_y.at(i), m.exponent.at(i)};
-  switch (model) {
+  switch (r.model) {
     case ReflectanceModel::kBanks:
       return {lit, banks(f, k_s, l, v)};
     case ReflectanceModel::kBanksApproximate:
@@ -32,7 +33,7 @@ Reflected evaluate(ReflectanceModel model, const ReflectanceMaps& m, std::size_t
     case ReflectanceModel::kStrand:
       break;
   }
-  return {strand_diffuse(dot(l, f.t)), strand_specular(dot(l, f.t), dot(v, f.t), blinn.exponent)};
+  return {strand_diffuse(dot(l, f.t)), strand_specular(dot(l, f.t), dot(v, f.t), r.strand_exponent)};
 }
 
 }  // namespace
@@ -41,7 +42,7 @@ AnalyticReflectance::AnalyticReflectance(const FrameSetup& setup) : ReflectanceP
 
 ReflectancePath::Extent AnalyticReflectance::extent(std::size_t object) const {
   const ReflectanceMaps& maps = *assets(object).reflectance;
-  return {maps.width, maps.height, 1};
+  return {maps.material.width, maps.material.height, 1};
 }
 
 Reflected AnalyticReflectance::reflect(std::size_t object, const TextureTaps& taps, std::size_t, Vec3d l,
@@ -49,14 +50,13 @@ Reflected AnalyticReflectance::reflect(std::size_t object, const TextureTaps& ta
   const ReflectanceMaps& maps = *assets(object).reflectance;
   Reflected sum;
   for (const TextureTaps::Tap& tap : taps)
-    sum += evaluate(reflectance(object).model, maps, std::size_t(tap.texel.y) * maps.width + tap.texel.x, l, v) *
-           tap.weight;
+    sum += evaluate(reflectance(object), maps, maps.texel(tap.texel.x, tap.texel.y), l, v) * tap.weight;
   return sum;
 }
 
 Vec3d AnalyticReflectance::normal(std::size_t object, const TextureTaps::Tap& tap) const {
   const ReflectanceMaps& maps = *assets(object).reflectance;
-  return Vec3d(maps.normal(std::size_t(tap.texel.y) * maps.width + tap.texel.x));
+  return Vec3d(maps.material.n[maps.texel(tap.texel.x, tap.texel.y)]);
 }
 
 }  // namespace burnish

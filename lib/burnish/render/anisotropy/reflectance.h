@@ -14,7 +14,7 @@
 
 #include "burnish/brdf/tables/lookup_table.h"
 #include "burnish/core/vec3.h"
-#include "burnish/material/material_textures.h"
+#include "burnish/material/material_maps.h"
 
 namespace burnish {
 
@@ -24,27 +24,18 @@ enum class ReflectanceModel { kBanks, kBanksApproximate, kBlinnPhong, kBlinnPhon
 // and the results are interpolated (Kautz & Seidel, section 5.1).
 enum class FilterOrder { kBeforeShading, kAfterShading };
 
-// A number, or one a texel.
-struct MapOrNumber {
-  double number = 0;
-  std::string map;  // empty: the number
-};
-
 struct Reflectance {
   ReflectanceModel model = ReflectanceModel::kWard;
   Vec3d diffuse{1, 1, 1}, specular{0.5, 0.5, 0.5}, ambient{1, 1, 1};
-  MapOrNumber alpha_x{0.2, {}}, alpha_y{0.2, {}}, k_s{1, {}}, exponent{32, {}};
-  double angle_rad = 0;       // of the direction of anisotropy, counter-clockwise from +u
-  std::string direction_map;  // empty: the angle
-  std::string textures;       // prefix of the material textures; empty: none
-  bool gloss = false;         // strands: the alpha of the base colour's map weighs the specular part
+  MaterialSource source;        // of strands: the direction and the normals
+  double strand_exponent = 16;  // of the formula; paths have it in their table
+  std::string textures;         // prefix of the material textures; empty: none
+  bool gloss = false;           // strands: the alpha of the base colour's map weighs the specular part
   FilterOrder order = FilterOrder::kBeforeShading;
 
   bool is_strand() const { return model == ReflectanceModel::kStrand; }
-  // All that it names.
+  // All that it names, but for the normals.
   std::vector<std::string> files() const;
-  // Of the material textures; not for strands.
-  MaterialModel material_model() const;
 };
 
 // The lookup tables of a scene, by what they hold.

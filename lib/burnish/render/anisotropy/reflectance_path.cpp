@@ -29,7 +29,7 @@ void ReflectancePath::refuse(const std::string& message) const {
 
 const MaterialTextures& ReflectancePath::require_textures(std::size_t i, MaterialModel model) const {
   const Reflectance& r = reflectance(i);
-  if (r.is_strand() || r.material_model() != model)
+  if (r.is_strand() || r.source.model != model)
     refuse(std::string("needs the model ") + name(model) + ", which " + described(object(i)) + " has not");
   if (!assets(i).textures)
     refuse("needs material textures (burnish-material), and " + described(object(i)) + " has none: 'textures'");

@@ -5,33 +5,32 @@ namespace {
 
 constexpr NumberRange kExponent{kAboveZero, 1e6, "a number above 0, up to 1000000"};
 
-MapOrNumber map_or_number(const TomlTable& t, const std::string& key, const std::string& directory,
-                          const NumberRange& range, double fallback) {
-  if (t.is_text(key)) return {fallback, t.file(key, directory)};
-  return {t.number(key, range, fallback), {}};
+// A number, or the file of a map.
+void read_parameter(const TomlTable& t, const std::string& key, const std::string& directory, const NumberRange& range,
+                    ParameterSource& out) {
+  if (t.is_text(key)) out.map = t.file(key, directory);
+  else out.number = float(t.number(key, range, double(out.number)));
 }
 
-}  // namespace
-
-MaterialModel Reflectance::material_model() const {
+MaterialModel textures_of(ReflectanceModel model) {
   switch (model) {
-    case ReflectanceModel::kBanks:
-    case ReflectanceModel::kBanksApproximate:
-      return MaterialModel::kBanks;
     case ReflectanceModel::kBlinnPhong:
     case ReflectanceModel::kBlinnPhongEquation1:
       return MaterialModel::kBlinnPhong;
     case ReflectanceModel::kWard:
-    case ReflectanceModel::kStrand:
-      break;
+      return MaterialModel::kWard;
+    default:
+      return MaterialModel::kBanks;
   }
-  return MaterialModel::kWard;
 }
+
+}  // namespace
 
 std::vector<std::string> Reflectance::files() const {
   std::vector<std::string> out;
-  for (const std::string& file : {alpha_x.map, alpha_y.map, k_s.map, exponent.map, direction_map})
-    if (!file.empty()) out.push_back(file);
+  for (const FileRef& file :
+       {source.alpha_x.map, source.alpha_y.map, source.k_s.map, source.exponent.map, source.directions})
+    if (!file.empty()) out.push_back(file.name);
   if (!textures.empty())
     for (const char which : {'t', 'b', 'n'}) out.push_back(material_file(textures, which));
   return out;
@@ -48,24 +47,27 @@ Reflectance parse_reflectance(const TomlTable& t, const std::string& directory) 
   r.diffuse = t.vector("diffuse", kNotNegative, r.diffuse);
   r.specular = t.vector("specular", kNotNegative, r.specular);
   r.ambient = t.vector("ambient", kNotNegative, r.diffuse);
-  const auto field = [&](const std::string& key, const NumberRange& range, MapOrNumber& value) {
-    value = map_or_number(t, key, directory, range, value.number);
-  };
-  const MaterialModel textures = r.material_model();
+  MaterialSource& source = r.source;
+  source.model = textures_of(r.model);
   if (r.is_strand()) {
-    r.exponent.number = t.number("exponent", kExponent, 16);
-    if (t.has("gloss")) r.gloss = t.choice<bool>("gloss", {{"none", false}, {"base-alpha", true}});
+    r.strand_exponent = t.number("exponent", kExponent, r.strand_exponent);
+    r.gloss = t.choice<bool>("gloss", {{"none", false}, {"base-alpha", true}}, r.gloss);
   } else {
-    field("ks", kNotNegative, r.k_s);
-    r.textures = t.file("textures", directory);
-    if (textures != MaterialModel::kBanks) {
-      field("alpha_x", kPositive, r.alpha_x);
-      field("alpha_y", kPositive, r.alpha_y);
+    const auto parameter = [&](const std::string& key, const NumberRange& range, ParameterSource& out) {
+      read_parameter(t, key, directory, range, out);
+    };
+    source.alpha_x.number = source.alpha_y.number = 0.2f;
+    parameter("ks", kNotNegative, source.k_s);
+    if (source.model != MaterialModel::kBanks) {
+      parameter("alpha_x", kPositive, source.alpha_x);
+      parameter("alpha_y", kPositive, source.alpha_y);
     }
-    if (r.model == ReflectanceModel::kBlinnPhong) field("exponent", kExponent, r.exponent);
+    if (r.model == ReflectanceModel::kBlinnPhong) parameter("exponent", kExponent, source.exponent);
+    r.textures = t.file("textures", directory);
   }
-  r.direction_map = t.file("direction_map", directory);
-  if (r.direction_map.empty()) r.angle_rad = radians(t.number("angle_deg", kAnyNumber, 0.0));
+  const std::string directions = t.file("direction_map", directory);
+  if (!directions.empty()) source.directions = directions;
+  else source.angle_rad = radians(t.number("angle_deg", kAnyNumber, 0.0));
   r.order = t.choice<FilterOrder>(
       "filter_order", {{"before", FilterOrder::kBeforeShading}, {"after", FilterOrder::kAfterShading}}, r.order);
   t.refuse_unknown();

@@ -31,7 +31,7 @@ class StrandPath final : public ReflectancePath {
       if (!reflectance(i).is_strand()) refuse("needs the model strand, which " + described(object(i)) + " has not");
       if (bumpy_) continue;
       if (reflectance(i).gloss) refuse("has no gloss; strand-bump has");
-      if (!assets(i).reflectance->normals.empty())
+      if (assets(i).reflectance->bumpy)
         refuse(
             "takes no normal map; make the direction map orthonormal to it (burnish-tangents --normal), or take "
             "strand-bump");
@@ -40,7 +40,8 @@ class StrandPath final : public ReflectancePath {
 
  protected:
   Extent extent(std::size_t i) const override {
-    return {assets(i).reflectance->width, assets(i).reflectance->height, 1};
+    const MaterialMaps& maps = assets(i).reflectance->material;
+    return {maps.width, maps.height, 1};
   }
 
   Vec3d normal(std::size_t i, const TextureTaps::Tap& tap) const override { return Vec3d(sample(i, tap).n); }
@@ -69,8 +70,8 @@ class StrandPath final : public ReflectancePath {
  private:
   StrandSample sample(std::size_t i, const TextureTaps::Tap& tap) const {
     const ReflectanceMaps& maps = *assets(i).reflectance;
-    const std::size_t texel = std::size_t(tap.texel.y) * maps.width + tap.texel.x;
-    return {maps.given_direction(texel), maps.normal(texel)};
+    const std::size_t texel = maps.texel(tap.texel.x, tap.texel.y);
+    return {maps.directions[texel], maps.material.n[texel]};
   }
 
   // T − N (T·N), at its own length or at 1.
