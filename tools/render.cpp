@@ -151,7 +151,8 @@ int main(int argc, char** argv) {
       ->description(
           "Picture to write: sRGB in PNG, linear in EXR; '-' is standard output; of several frames a pattern "
           "with %d or %04d");
-  app.add_option("--path", o.path, "Path to render by, instead of the scene's: analytic, palette or palette-expanded")
+  app.add_option("--path", o.path,
+                 "Path to render by, instead of the scene's: analytic, palette, ward and others (samples/README.md)")
       ->type_name("NAME");
   app.add_option("--frames", o.frames, "Pictures of a full turn of the lights, numbered from 0 (default 1)")
       ->check(in_range(1, kMostFrameFiles))

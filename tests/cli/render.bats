@@ -222,8 +222,8 @@ burnish-render: warning: 'n.exr': 1 texel holds no direction and counts as (0,0,
 
 @test "paths that do not fit: unknown, not there yet, without their map" {
   scene
-  refuses 1 "--path: expected a path, analytic, palette or palette-expanded, got 'palete'" burnish-render s.toml --path palete -o x.png
-  refuses 5 "--path: path 'ward' is not there yet" burnish-render s.toml --path ward -o x.png
+  refuses 1 "--path: expected a path, one of analytic, palette" burnish-render s.toml --path palete -o x.png
+  refuses 5 "--path: path 'ptm' is not there yet" burnish-render s.toml --path ptm -o x.png
   sed -i '1i path = "ptm"' s.toml
   refuses 5 "path 'ptm' is not there yet" burnish-render s.toml -o x.png
   scene

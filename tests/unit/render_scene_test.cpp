@@ -160,7 +160,7 @@ TEST(RenderScene, RefusalsNameFileLineAndKey) {
           "'material[1].id': expected ids that differ, got 1 twice");
   refused(kObject + "[validate]\nmax_abs = -1\n", "'validate.max_abs': expected a number of at least 0, got -1");
   refused("a = \n", "'s.toml': line 1: ");
-  EXPECT_ERROR(parse("path = 'ward'\n" + kObject), kUnsupported, "path 'ward' is not there yet");
+  EXPECT_ERROR(parse("path = 'ptm'\n" + kObject), kUnsupported, "path 'ptm' is not there yet");
 }
 
 TEST(RenderScene, FilesThatCannotBeRead) {
