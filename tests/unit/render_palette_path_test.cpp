@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "burnish/render/metrics.h"
-#include "burnish/render/palette_table.h"
-#include "burnish/render/table_kernels.h"
+#include "burnish/render/palette/palette_table.h"
+#include "burnish/render/palette/table_kernels.h"
 #include "expect_error.h"
 #include "render_fixture.h"
 

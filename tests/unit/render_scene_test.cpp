@@ -126,7 +126,7 @@ TEST(RenderScene, RefusalsNameFileLineAndKey) {
   refused("ambient = [0, 1, -1]\n" + kObject, "'ambient': expected an array of 3, each a number of at least 0, got -1");
   refused("ambient = [0, 1, nan]\n" + kObject, "'ambient'");
   refused("path = 'palete'\n" + kObject,
-          "line 1: 'path': expected a path, analytic, palette or palette-expanded, got 'palete'");
+          "line 1: 'path': expected a path, one of analytic, palette, palette-expanded, banks,");
   refused("image = 3\n" + kObject, "'image': expected a table [image], got 3");
   refused("[image]\nwidth = 100000\n" + kObject, "line 2: 'image.width': expected an integer from 1 to");
   refused("[camera]\ntype = 'fisheye'\n" + kObject, "'camera.type': expected orthographic|perspective, got 'fisheye'");

@@ -2,7 +2,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
-#include "burnish/render/palette_table.h"
+#include "burnish/render/palette/palette_table.h"
 #include "burnish/render/shading_path.h"
 
 namespace burnish {

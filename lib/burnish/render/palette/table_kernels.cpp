@@ -1,4 +1,4 @@
-#include "burnish/render/table_kernels.h"
+#include "burnish/render/palette/table_kernels.h"
 
 #include <bit>
 #include <cstdint>

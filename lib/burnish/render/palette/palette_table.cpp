@@ -1,4 +1,4 @@
-#include "burnish/render/palette_table.h"
+#include "burnish/render/palette/palette_table.h"
 
 #include <algorithm>
 #include <optional>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "burnish/core/parallel.h"
-#include "burnish/render/table_kernels.h"
+#include "burnish/render/palette/table_kernels.h"
 
 namespace burnish {
 namespace {
