@@ -51,6 +51,15 @@ inventory() {
 same_bytes() { cmp "$@"; }
 same_pixels() { "$BURNISH_FIXTURE" same "$@"; }
 
+# texel_is "VALUES" FILE COLUMN ROW [TOLERANCE], which is 1e-6: samples as `burnish-fixture texel` prints them.
+texel_is() {
+  "${PYTHON3:-python3}" - "$1" "$("$BURNISH_FIXTURE" texel "$2" "$3" "$4")" "${5:-1e-6}" <<'PYTHON'
+import sys
+wanted, got = (list(map(float, a.split())) for a in sys.argv[1:3])
+assert len(wanted) == len(got) and all(abs(a - b) <= float(sys.argv[3]) for a, b in zip(wanted, got)), sys.argv
+PYTHON
+}
+
 # fits_schema TOOL REPORT…
 fits_schema() {
   local schema=$1

@@ -4,15 +4,6 @@
 
 load helpers
 
-# texel_is "VALUES" FILE COLUMN ROW [TOLERANCE]
-texel_is() {
-  "${PYTHON3:-python3}" - "$1" "$("$BURNISH_FIXTURE" texel "$2" "$3" "$4")" "${5:-1e-6}" <<'PYTHON'
-import sys
-wanted, got = (list(map(float, a.split())) for a in sys.argv[1:3])
-assert len(wanted) == len(got) and all(abs(a - b) <= float(sys.argv[3]) for a, b in zip(wanted, got)), sys.argv
-PYTHON
-}
-
 info() { "$BURNISH_FIXTURE" info "$1"; }
 bake() { succeeds burnish-material "$@"; }
 ward="--model ward --alpha-x 0.25 --alpha-y 0.5"
