@@ -138,7 +138,8 @@ LookupTable smallest_table(const LookupFunction& f, TableSampling sampling, Tabl
     }
   }
   throw Error(ErrorKind::kUsage, "max-error: no table of up to 2^22 texels errs by at most " + number_text(max_error) +
-                                     "; try another domain or more exact samples (-d float)");
+                                     "; try another domain" +
+                                     (sample == SampleType::kFloat ? "" : ", or more exact samples (-d float)"));
 }
 
 }  // namespace burnish
