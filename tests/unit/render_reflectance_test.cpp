@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/brdf/banks.h"
+#include "burnish/render/anisotropy/register_combiners.h"
 #include "burnish/render/metrics.h"
 #include "expect_error.h"
 #include "reflectance_fixture.h"
@@ -42,6 +43,20 @@ TEST(ReflectancePaths, TheTwinIsTheFormula) {
   const double expected = 0.2 * l.z + 0.6 * banks({{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}, 0.7, l, v);
   const Frame frame = render(s.scene, s.assets, RenderPath::kAnalytic);
   EXPECT_NEAR(frame.colour.at(30, 30)[1], expected, 1e-6);
+}
+
+TEST(RegisterCombiners, HoldASignAndEightBits) {
+  using namespace combiners;
+  for (int i = 0; i <= 255; i++) EXPECT_EQ(held(expand_normal(i / 255.f)), expand_normal(i / 255.f)) << i;
+  EXPECT_EQ(held(0.0019f), 0);
+  EXPECT_FLOAT_EQ(held(-0.0021f), -1 / 255.f);
+  EXPECT_EQ(dot_stage({0.5f, 0.5f, 0}, {1, 1, 0}, 4), 1);
+  EXPECT_EQ(dot_stage({0.5f, 0.5f, 0}, {-1, -1, 0}, 4), -1);
+  EXPECT_FLOAT_EQ(dot_stage({0.2f, 0, 0}, {0.5f, 0, 0}, 4), 102 / 255.f);
+  EXPECT_FLOAT_EQ(sum_stage(0.6f, 0.6f, 0.6f, 0.6f, 1), 184 / 255.f);
+  EXPECT_EQ(final_one_minus(1.5f, 1), 0);
+  EXPECT_EQ(final_one_minus(-0.5f, 1), 1);
+  EXPECT_FLOAT_EQ(final_one_minus(0, 0.5f), 128 / 255.f);
 }
 
 // Turning object, camera and light together changes nothing.

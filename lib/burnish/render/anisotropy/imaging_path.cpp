@@ -20,11 +20,6 @@ namespace {
 
 using combiners::held_unsigned;
 
-// Channels: squares of h·t/α_x and h·b/α_y, n·l, k_s.
-struct LoadedTextures {
-  std::vector<Image> levels;
-};
-
 // The colour matrix with a constant vector in its first row, made up for the texture's scale and bias.
 float matrix(const MaterialTexture& texture, const float* stored, Vec3f row) {
   return dot(true_value(texture, stored).vector, row);
@@ -36,11 +31,12 @@ float squared(float x) {
   return held_unsigned(s * s);
 }
 
-LoadedTextures load(const MaterialTextures& from, Vec3f h, Vec3f l) {
-  LoadedTextures out;
+// The levels of a texture: squares of h·t/α_x and h·b/α_y, n·l, k_s.
+std::vector<Image> load(const MaterialTextures& from, Vec3f h, Vec3f l) {
+  std::vector<Image> out;
   for (std::size_t level = 0; level < from.t.levels.size(); level++) {
     const int width = from.t.levels[level].width, height = from.t.levels[level].height;
-    Image& loaded = out.levels.emplace_back(width, height, 4);
+    Image& loaded = out.emplace_back(width, height, 4);
     parallel_for(height, [&](std::size_t y) {
       for (int x = 0; x < width; x++) {
         float* to = loaded.at(x, int(y));
@@ -55,18 +51,6 @@ LoadedTextures load(const MaterialTextures& from, Vec3f h, Vec3f l) {
   }
   return out;
 }
-
-struct FrameBufferSample {
-  std::array<float, 4> v{};
-  friend FrameBufferSample operator*(FrameBufferSample s, float w) {
-    for (float& v : s.v) v *= w;
-    return s;
-  }
-  FrameBufferSample& operator+=(const FrameBufferSample& s) {
-    for (std::size_t i = 0; i < 4; i++) v[i] += s.v[i];
-    return *this;
-  }
-};
 
 class ImagingPath final : public ReflectancePath {
  public:
@@ -95,24 +79,24 @@ class ImagingPath final : public ReflectancePath {
   Vec3d normal(std::size_t i, const TextureTaps::Tap& tap) const override { return texture_normal(i, tap); }
 
   Reflected reflect(std::size_t i, const TextureTaps& taps, std::size_t light, Vec3d, Vec3d) const override {
-    const std::vector<Image>& levels = loaded_[i][light].levels;
+    const std::vector<Image>& levels = loaded_[i][light];
     return filtered(
         FilterOrder::kBeforeShading, taps,
         [&](const TextureTaps::Tap& tap) {
-          FrameBufferSample s;
-          std::copy_n(levels[tap.level].at(tap.texel.x, tap.texel.y), 4, s.v.begin());
+          StoredSample<4> s;
+          std::copy_n(levels[tap.level].at(tap.texel.x, tap.texel.y), 4, s.stored.begin());
           return s;
         },
-        [](const FrameBufferSample& s) {
-          float buffer = held_unsigned(s.v[0]);
-          buffer = held_unsigned(buffer + held_unsigned(s.v[1]));
+        [](const StoredSample<4>& s) {
+          float buffer = held_unsigned(s.stored[0]);
+          buffer = held_unsigned(buffer + held_unsigned(s.stored[1]));
           buffer = held_unsigned(1 - buffer);
-          return Reflected{held_unsigned(s.v[2]), held_unsigned(buffer * held_unsigned(s.v[3]))};
+          return Reflected{held_unsigned(s.stored[2]), held_unsigned(buffer * held_unsigned(s.stored[3]))};
         });
   }
 
  private:
-  std::vector<std::vector<LoadedTextures>> loaded_;  // of each object, each light
+  std::vector<std::vector<std::vector<Image>>> loaded_;  // of each object, each light, each level
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a lookup into material textures gives: stored samples, which can be filtered, and what they stand for.
+// What a lookup into textures gives: stored samples, which can be filtered, and what those of materials stand for.
 #pragma once
 
 #include <array>
@@ -8,18 +8,21 @@
 
 namespace burnish {
 
-struct MaterialSample {
-  std::array<float, 12> stored{};  // t, b, n with an alpha each (0 where there is none)
+template <std::size_t N>
+struct StoredSample {
+  std::array<float, N> stored{};
 
-  friend MaterialSample operator*(MaterialSample s, float w) {
+  friend StoredSample operator*(StoredSample s, float w) {
     for (float& v : s.stored) v *= w;
     return s;
   }
-  MaterialSample& operator+=(const MaterialSample& s) {
-    for (std::size_t i = 0; i < stored.size(); i++) stored[i] += s.stored[i];
+  StoredSample& operator+=(const StoredSample& s) {
+    for (std::size_t i = 0; i < N; i++) stored[i] += s.stored[i];
     return *this;
   }
 };
+
+using MaterialSample = StoredSample<12>;  // t, b, n with an alpha each (0 where there is none)
 
 inline MaterialSample material_sample(const MaterialTextures& textures, const TextureTaps::Tap& tap) {
   MaterialSample out;
