@@ -7,6 +7,9 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
+
+#include "burnish/core/error.h"
 
 namespace burnish {
 
@@ -16,6 +19,14 @@ inline int level_count(int width, int height) {
   int n = 1;
   for (; width > 1 || height > 1; n++) width = next_level_size(width), height = next_level_size(height);
   return n;
+}
+
+// How many levels, with the base, are to be made of those there are: all where 0 is asked for. kUsage for more.
+inline int levels_to_make(int width, int height, int asked) {
+  const int all = level_count(width, height);
+  if (asked >= 0 && asked <= all) return asked == 0 ? all : asked;
+  throw Error(ErrorKind::kUsage, "levels: expected 1 to " + std::to_string(all) + " for " + std::to_string(width) +
+                                     "x" + std::to_string(height) + " texels, got " + std::to_string(asked));
 }
 
 // Texels first … first + count − 1 of the finer level, along one side; their weights sum to `total`.

@@ -148,12 +148,7 @@ Cover majority(const IndexedMap& map, const IndexImage& finer, int x, int y) {
 }  // namespace
 
 std::vector<MipLevelStats> build_index_mips(IndexedMap& map, const IndexMipOptions& options, const Progress& progress) {
-  const int all = level_count(map.width(), map.height());
-  if (options.levels < 0 || options.levels > all)
-    throw Error(ErrorKind::kUsage, "levels: expected 1 to " + std::to_string(all) + " for " +
-                                       std::to_string(map.width()) + "x" + std::to_string(map.height()) +
-                                       " texels, got " + std::to_string(options.levels));
-  const int levels = options.levels == 0 ? all : options.levels;
+  const int levels = levels_to_make(map.width(), map.height(), options.levels);
   const bool from_base = options.average == MipAverage::kBase || !options.source.empty();
   map.levels.resize(1);
   std::vector<NearestEntry> nearest;

@@ -3,15 +3,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "burnish/core/vector_math.h"
 #include "burnish/render/lighting/lighting.h"
-
-// Further versions for machines with AVX2 and AVX-512, chosen when the program starts. Sanitizers do not survive that
-// choice.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(BURNISH_SANITIZED)
-#define BURNISH_VECTOR_UNITS __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
-#else
-#define BURNISH_VECTOR_UNITS
-#endif
 
 namespace burnish::kernels {
 namespace {
@@ -19,30 +12,12 @@ namespace {
 // max(0, x), in a form that vectorises
 inline double positive(double x) { return x > 0 ? x : 0.0; }
 
-// log₂(1 + f) for f in [√½ − 1, √2 − 1]: 2/ln 2 · artanh(f / (2 + f)) by a minimax polynomial, relative error 7e-10.
-inline float log2_1p(float f) {
-  const float s = f / (2.0f + f), s2 = s * s;
-  return s * (2.88539f + s2 * (0.9617988f + s2 * (0.57671666f + s2 * 0.4316915f)));
-}
-
-// 2^f for f in [−½, ½] by a minimax polynomial, relative error 2e-9; in pairs, which keeps the chain short.
-inline float exp2_near_0(float f) {
-  const float f2 = f * f;
-  const float low = 1.0f + f * 0.6931472f, middle = 0.24022648f + f * 0.055503324f,
-              high = 0.009618437f + f * 0.0013398875f + f2 * 0.00015353362f;
-  return low + f2 * (middle + f2 * high);
-}
-
 // x = 2^k · (1 + f) with 1 + f in [√½, √2); where k = 0, f is −complement. Then 2^(exponent · (k + log₂(1 + f))).
 [[gnu::always_inline]] inline float power_of(float x, float complement, float exponent) {
-  constexpr std::int32_t kRootHalf = 0x3f3504f3, kOne = 0x3f800000;
-  constexpr float kLeast = -125.0f;
-  const std::int32_t bits = std::bit_cast<std::int32_t>(x), k = (bits - kRootHalf) >> 23;
+  const std::int32_t bits = std::bit_cast<std::int32_t>(x), k = (bits - kBitsOfRootHalf) >> 23;
   const float mantissa = std::bit_cast<float>(bits - (k << 23));
   const float f = k == 0 ? -complement : mantissa - 1.0f;
-  const float wanted = exponent * (float(k) + log2_1p(f)), y = wanted > kLeast ? wanted : kLeast;
-  const std::int32_t whole = std::int32_t(y - 0.5f);  // the nearest, since y ≤ 0
-  const float power = std::bit_cast<float>(kOne + (whole << 23)) * exp2_near_0(y - float(whole));
+  const float power = exp2_of_negative(exponent * (float(k) + log2_1p(f)));
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(power) & -std::int32_t(bits > 0));  // 0 for 0
 }
 

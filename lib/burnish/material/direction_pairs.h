@@ -1,0 +1,21 @@
+// Lights and views that reflectance is compared at: a fixed set, well spread.
+//
+// Lights lie within 72.5° of (0,0,1) and views within 46°, each uniformly by solid angle: the first points of Roberts'
+// additive recurrence in four dimensions, which fills them evenly however many there are.
+// Source: Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace burnish {
+
+// Sixteen pairs, a component an array: of light, view and h = (l+v)/‖l+v‖.
+struct alignas(64) PairBlock {
+  static constexpr int kPairs = 16;
+  float l[3][kPairs], v[3][kPairs], h[3][kPairs];
+};
+
+std::vector<PairBlock> direction_pairs(std::size_t blocks);
+
+}  // namespace burnish

@@ -1,0 +1,139 @@
+#include "burnish/material/lobe_fit.h"
+
+#include <algorithm>
+#include <array>
+
+#include "burnish/material/lobe_kernels.h"
+
+namespace burnish {
+namespace {
+
+using kernels::kShape;
+using kernels::LobeSums;
+using Shape = std::array<double, kShape>;  // turns about t, b and n; ln α_x, ln α_y
+
+// A lower triangle.
+using Triangle = double[kShape][kShape];
+
+// a x = b by Cholesky's decomposition, which replaces a; false where a is not positive definite.
+bool solve(Triangle& a, const Shape& b, Shape& x) {
+  for (int i = 0; i < kShape; i++)
+    for (int j = 0; j <= i; j++) {
+      for (int m = 0; m < j; m++) a[i][j] -= a[i][m] * a[j][m];
+      if (i != j) a[i][j] /= a[j][j];
+      else if (a[i][i] > 0) a[i][i] = std::sqrt(a[i][i]);
+      else return false;
+    }
+  for (int i = 0; i < kShape; i++) {
+    x[i] = b[i];
+    for (int m = 0; m < i; m++) x[i] -= a[i][m] * x[m];
+    x[i] /= a[i][i];
+  }
+  for (int i = kShape - 1; i >= 0; i--) {
+    for (int m = i + 1; m < kShape; m++) x[i] -= a[m][i] * x[m];
+    x[i] /= a[i][i];
+  }
+  return true;
+}
+
+// The lobe turned and widened, by no more than a first-order step is good for.
+Lobe moved(const Lobe& o, const Shape& by, AlphaRange range) {
+  const auto bounded = [&](int i, double most) { return std::clamp(by[i], -most, most); };
+  const double about_t = bounded(0, 0.5), about_b = bounded(1, 0.5), about_n = bounded(2, 0.8);
+  const auto& [t, b, n] = o.frame;
+  Lobe out = o;
+  out.frame = *orthonormal_frame(n + t * about_b - b * about_t, t + b * about_n - n * about_b);
+  out.alpha_x = std::clamp(o.alpha_x * std::exp(bounded(3, 0.7)), range.least, range.most);
+  out.alpha_y = std::clamp(o.alpha_y * std::exp(bounded(4, 0.7)), range.least, range.most);
+  return out;
+}
+
+class Fit {
+ public:
+  Fit(MaterialModel model, std::span<const PairBlock> pairs, const float* wanted, const Lobe& start, AlphaRange range)
+      : model_(model), pairs_(pairs), wanted_(wanted), start_(start), range_(range) {
+    for (std::size_t i = 0; i < pairs.size() * PairBlock::kPairs; i++) wanted_square_ += double(wanted[i]) * wanted[i];
+    constexpr double kHold = 0.1;  // ε
+    hold_ = kHold * peak(model, start) * peak(model, start);
+    const double width = std::sqrt(2 * unit_variance(model, start.exponent));
+    unit_ = {width * start.alpha_y, width * start.alpha_x, 0.5, 0.5, 0.5};
+  }
+
+  LobeFit run() const {
+    constexpr int kMostSteps = 20;
+    constexpr double kEnough = 1e-3, kMostDamping = 1e4;
+    State now = at(moved(start_, {}, range_));
+    double damping = 1e-2;
+    for (int step = 0; step < kMostSteps && damping < kMostDamping; step++) {
+      Shape by;
+      if (!descent(now, damping, by)) break;
+      const State next = at(moved(now.lobe, by, range_));
+      if (next.cost < now.cost) {
+        const bool done = now.cost - next.cost < kEnough * next.cost;
+        now = next;
+        damping *= 0.2;
+        if (done) break;
+      } else {
+        damping *= 8;
+      }
+    }
+    return {now.lobe, now.error_square};
+  }
+
+ private:
+  struct State {
+    Lobe lobe;
+    Shape away;  // from the start, in units
+    LobeSums sums;
+    double cost, error_square;
+  };
+
+  State at(const Lobe& lobe) const {
+    State s{lobe, {}, kernels::lobe_sums(model_, lobe, pairs_, wanted_), 0, 0};
+    const double k_start = start_.k_s, gg = s.sums.gg, gw = s.sums.gw;
+    s.sums.gg += hold_ / (k_start * k_start), s.sums.gw += hold_ / k_start;
+    const double k_s = s.lobe.k_s = s.sums.gw / s.sums.gg;
+    const auto& [t, b, n] = start_.frame;
+    s.away = {-dot(lobe.frame.n, b), dot(lobe.frame.n, t), dot(lobe.frame.t, b),
+              std::log(lobe.alpha_x / start_.alpha_x), std::log(lobe.alpha_y / start_.alpha_y)};
+    s.error_square = std::max(0.0, wanted_square_ - 2 * k_s * gw + k_s * k_s * gg);
+    const double k_away = k_s / k_start - 1;
+    s.cost = s.error_square + hold_ * k_away * k_away;
+    for (int i = 0; i < kShape; i++) {
+      s.away[i] /= unit_[i];
+      s.cost += hold_ * s.away[i] * s.away[i];
+    }
+    return s;
+  }
+
+  // The step downhill, k_s following each; false where there is none.
+  bool descent(const State& s, double damping, Shape& by) const {
+    Triangle a;
+    Shape down;
+    const double k = s.lobe.k_s;
+    for (int i = 0; i < kShape; i++) {
+      down[i] = k * (s.sums.wd[i] - k * s.sums.gd[i]) - hold_ * s.away[i] / unit_[i];
+      for (int j = 0; j <= i; j++) a[i][j] = k * k * (s.sums.dd[i][j] - s.sums.gd[i] * s.sums.gd[j] / s.sums.gg);
+      a[i][i] = (a[i][i] + hold_ / (unit_[i] * unit_[i])) * (1 + damping);
+    }
+    return solve(a, down, by);
+  }
+
+  MaterialModel model_;
+  std::span<const PairBlock> pairs_;
+  const float* wanted_;
+  const Lobe& start_;
+  AlphaRange range_;
+  double wanted_square_ = 0, hold_ = 0;
+  Shape unit_{};
+};
+
+}  // namespace
+
+LobeFit fit_lobe(MaterialModel model, std::span<const PairBlock> pairs, const float* wanted, const Lobe& start,
+                 AlphaRange range) {
+  if (!(start.k_s > 0)) return {start, 0};
+  return Fit(model, pairs, wanted, start, range).run();
+}
+
+}  // namespace burnish

@@ -1,0 +1,24 @@
+// Reflectance of a lobe at many pairs of light and view, for whatever vector unit the machine has.
+#pragma once
+
+#include <span>
+
+#include "burnish/material/direction_pairs.h"
+#include "burnish/material/lobe.h"
+
+namespace burnish::kernels {
+
+// out[i] = L_o of pair i
+void reflectance(MaterialModel model, const Lobe& lobe, std::span<const PairBlock> pairs, float* out);
+
+// Of a lobe with k_s = 1: how it turns (radians about t, b and n) and widens (ln α_x, ln α_y).
+inline constexpr int kShape = 5;
+
+// Sums over pairs, with g the lobe's L_o for k_s = 1, w the wanted one, d its derivatives by the shape.
+struct LobeSums {
+  double gg, gw;
+  double gd[kShape], wd[kShape], dd[kShape][kShape];  // dd: of its lower triangle
+};
+LobeSums lobe_sums(MaterialModel model, const Lobe& lobe, std::span<const PairBlock> pairs, const float* wanted);
+
+}  // namespace burnish::kernels
