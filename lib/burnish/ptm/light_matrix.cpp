@@ -1,0 +1,43 @@
+#include "burnish/ptm/light_matrix.h"
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <cmath>
+
+#include "burnish/core/error.h"
+
+namespace burnish {
+
+LightMatrix light_matrix(const std::vector<Vec3d>& lights, double ridge, const std::string& name) {
+  const std::size_t n = lights.size();
+  if (n < kPtmTerms)
+    throw file_error(ErrorKind::kMalformed, name,
+                     "expected at least 6 lights for 6 coefficients, got " + std::to_string(n));
+  // Rows of √λ below B turn the ridge into a plain least-squares problem.
+  Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(n + kPtmTerms, kPtmTerms);
+  padded.bottomRows(kPtmTerms).diagonal().setConstant(std::sqrt(ridge));
+  LightMatrix m;
+  for (std::size_t i = 0; i < n; i++) {
+    m.terms.push_back(ptm_terms(lights[i].x, lights[i].y));
+    padded.row(i) = Eigen::Map<const Eigen::RowVectorXd>(m.terms[i].data(), kPtmTerms);
+  }
+  const Eigen::MatrixXd normal = padded.topRows(n).transpose() * padded.topRows(n);
+  for (int r = 0; r < kPtmTerms; r++)
+    for (int c = 0; c < kPtmTerms; c++) m.normal[r][c] = normal(r, c);
+
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(padded.rows(), kPtmTerms);
+  qr.setThreshold(1e-6);
+  qr.compute(padded);
+  if (qr.rank() < kPtmTerms)
+    throw file_error(ErrorKind::kMalformed, name,
+                     "expected lights that determine 6 coefficients, got " + std::to_string(n) +
+                         " that determine no more than " + std::to_string(qr.rank()) +
+                         "; they repeat, or lie on one curve (--ridge accepts them)");
+  const Eigen::MatrixXd inverse = qr.solve(Eigen::MatrixXd::Identity(padded.rows(), n));
+  m.pseudo_inverse.resize(n);
+  for (std::size_t i = 0; i < n; i++)
+    for (int k = 0; k < kPtmTerms; k++) m.pseudo_inverse[i][k] = inverse(k, i);
+  return m;
+}
+
+}  // namespace burnish
