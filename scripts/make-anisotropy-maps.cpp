@@ -6,6 +6,7 @@
 //   bumps.png          height of a few domes, 48² texels
 //   scratches_*        a tile scratched along u and v: _t.exr directions, _alpha_x.png, _alpha_y.png, _ks.png
 //   brushed_u_*        metal brushed along u, for a sphere: .png height, _t.exr directions; brushed_v_* along v
+//   vase_t.exr         directions of a brushed vase, as large as what make-vase makes
 //   hammered.png       height of a hammered, slightly brushed sphere
 //   marble_*           a marble sphere: _color.png in sRGB, _height.png of its raised veins, _alpha_y.png larger where it is dark
 //   record_*           a record on a brushed plate: _t.exr directions, _color.png in sRGB with gloss in its alpha
@@ -183,6 +184,8 @@ void write(const std::string& directory, int side) {
                         return turned((along_u ? 0 : 0.5 * kPi) + 0.2 * streaks(u, v, along_u, 66));
                       }));
   }
+  folder.directions("vase_t.exr",
+                    vectors(1536, 1152, [](double u, double v) { return turned(0.08 * streaks(u, v, true, 170)); }));
   folder.heights("hammered.png", numbers(side, half, hammered));
   folder.colours("marble_color.png", vectors(side, half, marble_colour));
   folder.heights("marble_height.png", numbers(side, half, [](double u, double v) { return marble(u, v).vein; }));

@@ -13,7 +13,7 @@ namespace burnish {
 // What a texel reflects by (Kautz & Seidel, section 4: the tangent runs along a scratch, and α_x is small beside α_y).
 struct Scratched {
   Vec3d direction{1, 0, 0};
-  double alpha_x = 0.3, alpha_y = 0.3, k_s = 0.3;
+  double alpha_x = 0.3, alpha_y = 0.3, k_s = 0.2;
 };
 
 // A tile of side × side texels.
@@ -39,7 +39,7 @@ inline std::vector<Scratched> scratched_tile(int side, int scratches) {
         // Rows run downwards and v runs up.
         const Vec3d direction = along_u ? Vec3d{1, -slant, 0} : Vec3d{-slant, 1, 0};
         const auto blend = [cover](double ground, double scratch) { return ground + cover * (scratch - ground); };
-        tile[texel] = {normalized(direction), blend(0.3, 0.25), blend(0.3, 1), blend(0.3, 1)};
+        tile[texel] = {normalized(direction), blend(0.3, 0.25), blend(0.3, 1), blend(0.2, 1)};
       }
     }
   }
