@@ -60,7 +60,7 @@ std::vector<ObjectAssets> load(Tool& tool, Scene& scene) {
     warn_of_dropped_faces(tool, scene.objects[i].mesh, assets[i].dropped_faces);
     if (const std::size_t n = assets[i].invalid_texels)
       tool.warn("'" + scene.objects[i].normal_map + "': " + counted(n, "texel") + (n == 1 ? " holds" : " hold") +
-                " no direction and counts as (0,0,1)");
+                " no direction and " + (n == 1 ? "counts" : "count") + " as (0,0,1)");
   }
   for (const Material& material : scene.materials)
     for (const LightingModel& term : material.terms)

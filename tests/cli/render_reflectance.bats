@@ -115,14 +115,50 @@ alpha_y = 0.8'
   for file in n.png ks.png m_t.exr m_b.exr m_n.exr ward_s.exr ward_e.exr; do grep -q " $file" x.d; done
 }
 
+# the_same_on_threads PATH: as s.toml has it.
+the_same_on_threads() {
+  sed -i "s/^path = .*/path = \"$1\"/" s.toml
+  succeeds burnish-render s.toml -o 1.exr -d float -j 1
+  succeeds burnish-render s.toml -o 4.exr -d float -j 4
+  same_bytes 1.exr 4.exr
+}
+
 @test "the same bytes for any thread count" {
   tables
   make_image normals 32 32 n.png
   material --model ward --alpha-x 0.3 --alpha-y 0.8 $in_float
   reflective ward ward 'angle_deg = 30' 'textures = "m"' 'alpha_x = 0.3' 'alpha_y = 0.8'
-  succeeds burnish-render s.toml -o 1.exr -d float -j 1
-  succeeds burnish-render s.toml -o 4.exr -d float -j 4
-  same_bytes 1.exr 4.exr
+  the_same_on_threads ward
+  the_same_on_threads analytic
+  rm m_*
+  material --model blinn-phong --alpha-x 0.4 --alpha-y 0.8
+  OBJECT='filter = "bilinear"' reflective blinn-phong-eq1 combiner 'textures = "m"' 'alpha_x = 0.4' 'alpha_y = 0.8'
+  the_same_on_threads combiner
+  the_same_on_threads imaging
+  burnish-lut strand --layout cube-z -o strand.exr
+  reflective strand strand-bump 'angle_deg = 30'
+  the_same_on_threads strand-bump
+}
+
+@test "--frames turn the light, --aov shows the normals of the textures" {
+  make_image normals 32 32 n.png
+  material --model blinn-phong --alpha-x 0.4 --alpha-y 0.8
+  reflective blinn-phong-eq1 imaging 'textures = "m"' 'alpha_x = 0.4' 'alpha_y = 0.8'
+  succeeds burnish-render s.toml -o i%d.exr --frames 3
+  if same_pixels i0.exr i1.exr >/dev/null; then return 1; fi
+  succeeds burnish-render s.toml -o a.exr --aov normal
+  succeeds burnish-render s.toml -o b.exr --aov normal --path analytic
+  same_pixels a.normal.exr b.normal.exr 0.005
+}
+
+@test "filter_order decides how combiners look between texels" {
+  make_image normals 8 8 n.png
+  material --model blinn-phong --alpha-x 0.4 --alpha-y 0.8
+  OBJECT='filter = "bilinear"' reflective blinn-phong-eq1 combiner 'textures = "m"' 'alpha_x = 0.4' 'alpha_y = 0.8'
+  succeeds burnish-render s.toml -o before.exr
+  echo 'filter_order = "after"' >>s.toml
+  succeeds burnish-render s.toml -o after.exr
+  if same_pixels before.exr after.exr 0.01 >/dev/null; then return 1; fi
 }
 
 @test "what does not fit is refused" {
@@ -150,6 +186,15 @@ alpha_y = 0.8'
   refuses 3 "'ward_e.exr': expected a table of ward-s, got one of ward-e" burnish-render s.toml -o x.png
   OBJECT='blend = "exact"' reflective ward analytic
   refuses 3 "'object[0].blend': expected no blending" burnish-render s.toml -o x.png
+  OBJECT='mip = "nearest"' reflective strand strand-bump
+  refuses 3 "'object[0].mip': expected off" burnish-render s.toml -o x.png
+  reflective ward analytic
+  printf '[[material]]\nid = 3\n' >>s.toml
+  refuses 3 "expected no [[material]] where every object has an [object.reflectance]" burnish-render s.toml -o x.png
+  cp n.png m_t.png
+  reflective ward ward 'textures = "m"'
+  refuses 3 "m_t.exr" burnish-render s.toml -o x.png
+  rm m_t.png
   OBJECT='mip = "nearest"' reflective ward ward 'textures = "m"'
   refuses 3 "expected a chain of mip levels" burnish-render s.toml -o x.png
 }

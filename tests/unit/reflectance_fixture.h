@@ -76,7 +76,8 @@ inline SceneTable table_of(LookupKind kind, int width, int height, TableLayout l
   f.kind = kind, f.domain = default_domain(kind), f.exponent = exponent;
   const TableSampling sampling = layout == TableLayout::kPlain ? TableSampling::kEdge : TableSampling::kCentre;
   const LookupTable table = bake_table(f, width, height, sampling, layout);
-  return {std::string(name(kind)) + ".exr", std::make_shared<const LookupTable>(as_stored(table, SampleType::kHalf))};
+  return {std::string(name(kind)) + ".exr",
+          std::make_shared<const TableFile>(TableFile{f, as_stored(table, SampleType::kHalf)})};
 }
 
 // As tables are by default, in half.

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "burnish/brdf/banks.h"
+#include "burnish/mesh/files/mesh_io.h"
 #include "burnish/render/anisotropy/register_combiners.h"
 #include "burnish/render/metrics.h"
 #include "expect_error.h"
 #include "reflectance_fixture.h"
+#include "scratch_dir.h"
 
 namespace burnish {
 namespace {
@@ -43,6 +45,89 @@ TEST(ReflectancePaths, TheTwinIsTheFormula) {
   const double expected = 0.2 * l.z + 0.6 * banks({{0.8, 0.6, 0}, {-0.6, 0.8, 0}, {0, 0, 1}}, 0.7, l, v);
   const Frame frame = render(s.scene, s.assets, RenderPath::kAnalytic);
   EXPECT_NEAR(frame.colour.at(30, 30)[1], expected, 1e-6);
+}
+
+// Ward's formula by hand, over a tilted normal and with the tangent out of the plane.
+TEST(ReflectancePaths, TheTwinOfABumpIsTheFormula) {
+  ReflectanceMaps maps = one_texel();
+  const Vec3d n{0.6, 0, 0.8}, t{0.8 * 0.6, 0.8, -0.6 * 0.6}, b = cross(n, t);  // t leans 53° from its steepest way
+  maps.bumpy = true, maps.material.n = {Vec3f(n)}, maps.material.t = {Vec3f(t)};
+  maps.material.alpha_x.number = 0.2f, maps.material.alpha_y.number = 0.5f;
+  ReflectiveScene s = reflective(ReflectanceModel::kWard, maps);
+  const Vec3d l = normalized(Vec3d{0.9, 0.2, 1}), v{0, 0, 1}, h = normalized(l + v);
+  s.scene.lights[0].direction = l;
+  const double x = dot(h, t) / double(0.2f), y = dot(h, b) / double(0.5f), lit = dot(n, l);
+  const double f = double(0.7f) / std::sqrt(lit * dot(n, v)) / (4 * kPi * double(0.2f) * double(0.5f)) *
+                   std::exp(-2 * (x * x + y * y) / (1 + dot(h, n)));
+  const Frame frame = render(s.scene, s.assets, RenderPath::kAnalytic);
+  EXPECT_NEAR(frame.colour.at(30, 30)[0], 0.3 * lit + 0.6 * f * lit, 1e-6);
+}
+
+// On a mesh whose texture coordinates are mirrored in u, t points to −x and b, which is not n × t then, still up.
+TEST(ReflectancePaths, MirroredTextureCoordinatesTurnTheTangentAlone) {
+  const ScratchDir dir;
+  write_bytes(dir / "mirrored.obj",
+              "v -0.5 -0.5 0\nv 0.5 -0.5 0\nv 0.5 0.5 0\nv -0.5 0.5 0\nvt 1 0\nvt 0 0\nvt 0 1\nvt 1 1\n"
+              "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  ReflectanceMaps maps = one_texel();
+  maps.bumpy = true, maps.material.n = {Vec3f(Vec3d{0.48, 0.36, 0.8})};
+  maps.material.t = {Vec3f(orthonormal_frame({0.48, 0.36, 0.8}, {1, 0, 0})->t)};
+  ReflectiveScene s = reflective(ReflectanceModel::kBanks, maps);
+  s.scene.objects[0].surface.type = SurfaceType::kMesh;
+  s.scene.objects[0].reflectance->specular = {};
+  s.assets.mesh = std::make_shared<const MeshSurface>(read_mesh(dir / "mirrored.obj"), MeshShading::kSmooth);
+  s.scene.lights[0].direction = {-0.48, 0.36, 0.8};
+  for (const RenderPath path : {RenderPath::kAnalytic, RenderPath::kBanks})
+    EXPECT_NEAR(render(s.scene, s.assets, path).colour.at(30, 30)[0], 0.3, 1e-6) << name(path);
+}
+
+// Directions that were made orthogonal to normals beforehand lean out of the plane, with no normal map to say so.
+TEST(ReflectancePaths, DirectionsMadeOrthogonalBeforehandKeepTheirLean) {
+  ReflectanceMaps maps = bumpy_maps(64, 0.8, 1, 1);
+  maps.bumpy = false, maps.directions = maps.material.t;
+  for (std::size_t i = 0; i < maps.directions.size(); i++) {
+    const Vec3d up{0, 0, 1};
+    maps.material.n[i] = Vec3f(up), maps.material.t[i] = Vec3f(orthonormal_frame(up, Vec3d(maps.directions[i]))->t);
+  }
+  EXPECT_GE(psnr_db(reflective(ReflectanceModel::kStrand, maps), RenderPath::kStrandPs11), 60);
+}
+
+TEST(ReflectancePaths, TablesOfAnotherFunctionOrTooSmallADomainAreRefused) {
+  const auto refused = [](ReflectanceModel model, RenderPath path, LookupFunction f, const std::string& why) {
+    ReflectiveScene s = reflective(model, bumpy_maps(4, 0.3, 0.5, 0.8));
+    const bool strand = f.kind == LookupKind::kStrand;
+    const LookupTable table =
+        bake_table(f, 4, f.arguments() > 1 ? 4 : 1, strand ? TableSampling::kCentre : TableSampling::kEdge,
+                   strand ? TableLayout::kCubeZ : TableLayout::kPlain);
+    s.scene.tables[f.kind] = {"t.exr", std::make_shared<const TableFile>(TableFile{f, table})};
+    EXPECT_ERROR(render(s.scene, s.assets, path), ErrorKind::kMalformed, "'t.exr': expected a table of " + why);
+  };
+  const auto function = [](LookupKind kind, std::vector<Range> domain = {}) {
+    LookupFunction f;
+    f.kind = kind, f.domain = domain.empty() ? default_domain(kind) : domain;
+    return f;
+  };
+  using Model = ReflectanceModel;
+  LookupFunction approximate = function(LookupKind::kBanksR);
+  approximate.approximate = true;
+  refused(Model::kBanks, RenderPath::kBanks, approximate, "R(s), as path 'banks' looks it up, got R*(s)");
+  refused(Model::kBanks, RenderPath::kBanks, function(LookupKind::kBanksR, {{0, 0.5}}), "a domain that holds 0:1");
+  // bumpy_maps() has N = 40.
+  refused(Model::kBlinnPhong, RenderPath::kBlinnPhong, function(LookupKind::kBlinnPhongF, {{1, 8}, {0, 1}}),
+          "a domain that holds 40:40, as path 'blinn-phong' looks it up, got 1:8");
+  refused(Model::kBlinnPhong, RenderPath::kBlinnPhong, function(LookupKind::kBlinnPhongF, {{1, 128}, {0.1, 1}}),
+          "a domain that holds 0:1");
+  refused(Model::kWard, RenderPath::kWard, function(LookupKind::kWardS, {{0.1, 0.9}}), "a domain that holds 1:1");
+  refused(Model::kWard, RenderPath::kWard, function(LookupKind::kWardE, {{1, 16}, {0, 1}}), "a domain that holds 0:0");
+  LookupFunction strand = function(LookupKind::kStrand);
+  strand.exponent = 50;
+  refused(Model::kStrand, RenderPath::kStrandBump, strand, "exponent 16, as path 'strand-bump' looks it up, got 50");
+}
+
+TEST(ReflectancePaths, CombinersRefuseTexturesOfSeveralRanges) {
+  ReflectiveScene s = reflective(ReflectanceModel::kBlinnPhongEquation1, bumpy_maps(4, 0.3, 0.5, 0.8), false, true);
+  s.assets.textures->b.scale = {4, 4, 4, 128}, s.assets.textures->b.bias = {-2, -2, -2, 0};
+  EXPECT_ERROR(render(s.scene, s.assets, RenderPath::kCombiner), ErrorKind::kMalformed, "in the combiners' range");
 }
 
 TEST(RegisterCombiners, HoldASignAndEightBits) {
@@ -139,7 +224,7 @@ TEST(ReflectancePaths, StrandShadersRefuseWhatTheyDoNotHave) {
   const auto refused = [&](RenderPath path, const std::string& why) {
     EXPECT_ERROR(render(s.scene, s.assets, path), ErrorKind::kMalformed, why);
   };
-  refused(RenderPath::kStrandBump, "strand.exr': expected a table of layout cube-z, as path 'strand-bump' looks it up");
+  refused(RenderPath::kStrandBump, "strand.exr': expected a table of the layout cube-z, as path 'strand-bump' looks it up");
   s.scene.lights.resize(2);
   refused(RenderPath::kStrandPs11, "path 'strand-ps11' takes one light, got 2");
   s.scene.lights.resize(5);

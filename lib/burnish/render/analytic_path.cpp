@@ -15,8 +15,7 @@ class AnalyticPath final : public ShadingPath {
     for (const Light& light : setup_.lights) lights.push_back(arriving(light, position));
     const Illumination in{lights, setup_.scene.ambient, setup_.camera.to_viewer(position)};
     const Shaded shaded = material(object, point).shade(o.transform.normal_to_world(normal(object, point)), in);
-    const Vec3d base = base_colour(o.base, setup_.assets[object], point, Filter::kNearest, addressing_of(o.surface));
-    return blend(o.base.blend, base, shaded);
+    return blend(o.base.blend, base_sample(o, setup_.assets[object], point, Filter::kNearest).colour, shaded);
   }
 
   LookedUp look_up(std::size_t object, const SurfacePoint& point) const override {
@@ -63,44 +62,6 @@ class AnalyticPath final : public ShadingPath {
 
 std::unique_ptr<ShadingPath> make_analytic_path(const FrameSetup& setup) {
   return std::make_unique<AnalyticPath>(setup);
-}
-
-std::unique_ptr<ShadingPath> make_path(RenderPath path, const FrameSetup& setup) {
-  switch (path) {
-    case RenderPath::kAnalytic:
-      return make_analytic_path(setup);
-    case RenderPath::kPalette:
-      return make_palette_path(setup, false);
-    case RenderPath::kPaletteExpanded:
-      return make_palette_path(setup, true);
-    case RenderPath::kCombiner:
-      return make_combiner_path(setup);
-    case RenderPath::kImaging:
-      return make_imaging_path(setup);
-    case RenderPath::kStrandPs11:
-    case RenderPath::kStrandPs14:
-    case RenderPath::kStrandBump:
-    case RenderPath::kStrandBumpUnnormalised:
-      return make_strand_path(setup, path);
-    default:
-      return make_table_path(setup, path);
-  }
-}
-
-Vec3d base_colour(const BaseColour& base, const ObjectAssets& assets, const SurfacePoint& point, Filter filter,
-                  Addressing addressing) {
-  if (!assets.base_colour) return base.colour;
-  const Image& map = *assets.base_colour;
-  const auto at = [&](TexelPosition t) {
-    const float* s = map.at(t.x, t.y);
-    return Vec3d{s[0], s[1], s[2]};
-  };
-  if (filter == Filter::kNearest)
-    return base.colour * at(nearest_texel(point.u, point.v, map.width, map.height, addressing));
-  const BilinearTaps taps = bilinear_taps(point.u, point.v, map.width, map.height, addressing);
-  Vec3d sum;
-  for (int i = 0; i < 4; i++) sum += at(taps.texel[i]) * taps.weight[i];
-  return base.colour * sum;
 }
 
 }  // namespace burnish

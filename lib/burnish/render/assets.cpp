@@ -70,12 +70,8 @@ std::shared_ptr<const MeshSurface> read_surface(const Object& object, std::size_
   return std::make_shared<const MeshSurface>(std::move(mesh), object.shading);
 }
 
-struct ColourMap {
-  Image rgb;  // linear
-  Image alpha;
-};
-
-ColourMap read_base_colour(const BaseColour& base, bool with_alpha) {
+// Linear RGB, and alpha where that is asked for.
+Image read_base_map(const BaseColour& base, bool with_alpha) {
   ImageReader reader(base.map);
   Image stored(reader.width(), reader.height(), reader.channels());
   reader.read_rows(0, stored.height, stored.data.data());
@@ -85,18 +81,20 @@ ColourMap read_base_colour(const BaseColour& base, bool with_alpha) {
   if (with_alpha && reader.channels() < 4)
     throw file_error(ErrorKind::kMalformed, base.map,
                      "expected 4 channels, the last of which is gloss, got " + std::to_string(reader.channels()));
-  ColourMap out{Image(stored.width, stored.height, 3), Image(stored.width, stored.height)};
-  for (std::size_t i = 0; i < stored.texels(); i++) {
-    if (with_alpha) out.alpha.data[i] = stored.data[i * stored.channels + 3];
+  Image out(stored.width, stored.height, with_alpha ? 4 : 3);
+  for (std::size_t i = 0; i < out.texels(); i++) {
+    const float* from = stored.data.data() + i * stored.channels;
+    float* to = out.data.data() + i * out.channels;
+    if (with_alpha) to[3] = from[3];
     for (int c = 0; c < 3; c++) {
-      const float s = stored.data[i * stored.channels + (stored.channels >= 3 ? c : 0)];
+      const float s = from[stored.channels >= 3 ? c : 0];
       if (!(s >= 0 && std::isfinite(s)))
         throw file_error(ErrorKind::kMalformed, base.map, "expected colours of at least 0, got " + number_text(s));
       if (srgb && s > 1)
         throw file_error(ErrorKind::kMalformed, base.map,
                          "expected sRGB colours of at most 1, got " + number_text(s) +
                              "; base_color_transfer = \"linear\" takes more");
-      out.rgb.data[i * 3 + c] = srgb ? float(linear_from_srgb(s)) : s;
+      to[c] = srgb ? float(linear_from_srgb(s)) : s;
     }
   }
   return out;
@@ -107,24 +105,23 @@ void read_reflectance(const Object& object, ObjectAssets& assets) {
   assets.reflectance = read_reflectance_maps(r);
   assets.invalid_texels = assets.reflectance->material.invalid_normal_texels;
   if (r.textures.empty()) return;
-  assets.textures = read_material_textures(material_file(r.textures, 't'), material_file(r.textures, 'b'),
-                                           material_file(r.textures, 'n'));
+  assets.textures = read_material_textures(r.texture_file('t'), r.texture_file('b'), r.texture_file('n'));
   if (assets.textures->model != r.source.model)
-    throw file_error(ErrorKind::kMalformed, material_file(r.textures, 't'),
+    throw file_error(ErrorKind::kMalformed, r.texture_file('t'),
                      std::string("expected textures of the model ") + name(r.source.model) + ", got " +
                          name(assets.textures->model));
   if (object.mip != MipMode::kOff && assets.textures->t.levels.size() == 1 && assets.textures->width() > 1)
-    throw file_error(ErrorKind::kMalformed, material_file(r.textures, 't'),
+    throw file_error(ErrorKind::kMalformed, r.texture_file('t'),
                      "expected a chain of mip levels, as 'mip' asks for, got one level");
 }
 
 void read_tables(Scene& scene) {
   for (auto& [kind, table] : scene.tables) {
-    TableFile file = read_table(table.file);
-    if (file.function.kind != kind)
+    const auto read = std::make_shared<const TableFile>(read_table(table.file));
+    if (read->function.kind != kind)
       throw file_error(ErrorKind::kMalformed, table.file,
-                       std::string("expected a table of ") + name(kind) + ", got one of " + name(file.function.kind));
-    table.table = std::make_shared<const LookupTable>(std::move(file.table));
+                       std::string("expected a table of ") + name(kind) + ", got one of " + name(read->function.kind));
+    table.table = read;
   }
 }
 
@@ -164,12 +161,8 @@ std::vector<ObjectAssets> load_assets(Scene& scene) {
   for (const Object& object : scene.objects) {
     ObjectAssets assets;
     if (!object.mesh.empty()) assets.mesh = read_surface(object, assets.dropped_faces);
-    if (!object.base.map.empty()) {
-      const bool gloss = object.reflectance && object.reflectance->gloss;
-      ColourMap map = read_base_colour(object.base, gloss);
-      assets.base_colour = std::move(map.rgb);
-      if (gloss) assets.gloss = std::move(map.alpha);
-    }
+    if (!object.base.map.empty())
+      assets.base_map = read_base_map(object.base, object.reflectance && object.reflectance->gloss);
     if (object.reflectance) {
       read_reflectance(object, assets);
       out.push_back(std::move(assets));

@@ -15,8 +15,7 @@ namespace burnish {
 struct ObjectAssets {
   std::shared_ptr<const MeshSurface> mesh;  // null for other surfaces
   std::size_t dropped_faces = 0;            // of the mesh; they have no area
-  std::optional<Image> base_colour;         // linear RGB; none where the object has no such map
-  std::optional<Image> gloss;               // alpha of the base colour's map, where it is asked for
+  std::optional<Image> base_map;            // of the base colour: linear RGB, and alpha where gloss is asked for
 
   // The unquantized normal map; where the object has none, the indexed map's base level through its palette; empty
   // where it has neither.

@@ -84,10 +84,6 @@ ValidationSettings validation(const TomlTable& t) {
   return v;
 }
 
-}  // namespace
-
-namespace {
-
 const std::vector<std::pair<const char*, RenderPath>> kPaths{
     {"analytic", RenderPath::kAnalytic},
     {"palette", RenderPath::kPalette},
@@ -168,6 +164,9 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::str
   if (scene.objects.empty()) root.fail("object", "expected at least one [[object]], got none");
   scene.materials = parse_materials(root, directory);
   scene.tables = parse_tables(root.table("tables"), directory);
+  if (root.has("material") &&
+      std::ranges::all_of(scene.objects, [](const Object& o) { return o.reflectance.has_value(); }))
+    root.fail("material", "expected no [[material]] where every object has an [object.reflectance]");
   scene.validation = validation(root.table("validate"));
   root.refuse_unknown();
   return scene;

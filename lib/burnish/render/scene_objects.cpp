@@ -100,6 +100,8 @@ Object parse_object(const TomlTable& t, const std::string& directory) {
     o.filter = t.choice<Filter>("filter", {{"nearest", Filter::kNearest}, {"bilinear", Filter::kBilinear}}, o.filter);
     o.mip = t.choice<MipMode>(
         "mip", {{"off", MipMode::kOff}, {"nearest", MipMode::kNearest}, {"linear", MipMode::kLinear}}, o.mip);
+    if (o.mip != MipMode::kOff && o.reflectance && o.reflectance->is_strand())
+      t.fail("mip", "expected off, since direction maps have one level");
   }
   t.refuse_unknown();
   return o;

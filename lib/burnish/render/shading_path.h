@@ -51,9 +51,12 @@ std::unique_ptr<ShadingPath> make_analytic_path(const FrameSetup& setup);
 // palettes.
 std::unique_ptr<ShadingPath> make_palette_path(const FrameSetup& setup, bool expanded);
 
-// The base colour at a point, of one texel or filtered; white where there is none.
-Vec3d base_colour(const BaseColour& base, const ObjectAssets& assets, const SurfacePoint& point, Filter filter,
-                  Addressing addressing);
+// The base colour at a point and the alpha of its map, of one texel or filtered; white and 1 where there is none.
+struct BaseSample {
+  Vec3d colour;
+  double alpha;
+};
+BaseSample base_sample(const Object& object, const ObjectAssets& assets, const SurfacePoint& point, Filter filter);
 
 std::unique_ptr<ShadingPath> make_path(RenderPath path, const FrameSetup& setup);
 

@@ -33,7 +33,9 @@ Reflected evaluate(const Reflectance& r, const ReflectanceMaps& maps, std::size_
     case ReflectanceModel::kStrand:
       break;
   }
-  return {strand_diffuse(dot(l, f.t)), strand_specular(dot(l, f.t), dot(v, f.t), r.strand_exponent)};
+  // Where there are no normals a direction may have been made orthogonal to some beforehand.
+  const Vec3d t = maps.bumpy ? f.t : Vec3d(maps.directions[i]);
+  return {strand_diffuse(dot(l, t)), strand_specular(dot(l, t), dot(v, t), r.strand_exponent)};
 }
 
 }  // namespace

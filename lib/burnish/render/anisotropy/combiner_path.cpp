@@ -7,6 +7,7 @@
 // and a diffuse pass, n·l of the third texture and a colour that holds l. h and l are given at every pixel rather than
 // at vertices, in the 8 bits of a colour. Textures are filtered before all of this, unless the scene asks for the
 // other order to show what that costs (figure 2). What passes give is 8 bits; the scene's colours weigh it after.
+// Nothing asks for the sign of h·n, which the twin keeps: bumps that turn away from h shine.
 #include "burnish/core/error.h"
 #include "burnish/render/anisotropy/material_sample.h"
 #include "burnish/render/anisotropy/reflectance_path.h"
@@ -22,12 +23,13 @@ class CombinerPath final : public ReflectancePath {
   explicit CombinerPath(const FrameSetup& setup) : ReflectancePath(setup, RenderPath::kCombiner) {
     for (std::size_t i = 0; i < setup.scene.objects.size(); i++) {
       const MaterialTextures& t = require_textures(i, MaterialModel::kBlinnPhong);
-      for (const MaterialTexture* texture : {&t.t, &t.b, &t.n})
-        if (!is_in_range(*texture))
-          refuse(
-              "needs textures in the combiners' range (burnish-material --encode combiner, --alpha-min 0.25, 0.5 or "
-              "1), which those of " +
-              described(object(i)) + " are not");
+      if (!(is_expanded_times(t.n, 1) &&
+            (is_expanded_times(t.t, 1) || is_expanded_times(t.t, 2) || is_expanded_times(t.t, 4)) &&
+            is_expanded_times(t.b, t.t.scale[0] / 2)))
+        refuse(
+            "needs textures in the combiners' range (burnish-material --encode combiner, --alpha-min 0.25, 0.5 or "
+            "1), which those of " +
+            described(object(i)) + " are not");
       scale_.push_back(t.t.scale[0] / 2);
     }
   }
@@ -62,12 +64,10 @@ class CombinerPath final : public ReflectancePath {
     return {channel(v.x), channel(v.y), channel(v.z)};
   }
 
-  // A scale of 1, 2 or 4 after expanding.
-  static bool is_in_range(const MaterialTexture& texture) {
-    const float s = texture.scale[0];
-    if (s != 2 && s != 4 && s != 8) return false;
+  // Whether true values are the expanded ones times that.
+  static bool is_expanded_times(const MaterialTexture& texture, float times) {
     for (int c = 0; c < 3; c++)
-      if (texture.scale[c] != s || texture.bias[c] != -s / 2) return false;
+      if (texture.scale[c] != 2 * times || texture.bias[c] != -times) return false;
     return true;
   }
 

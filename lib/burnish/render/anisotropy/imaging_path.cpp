@@ -8,7 +8,8 @@
 //
 // and a diffuse pass by the same matrix, n·l. The matrix is constant while a texture is loaded: h must be the same
 // all over the surface, hence directional lights, an orthographic viewer and flat surfaces. Textures are filtered after
-// the matrix and the table. What the passes give is 8 bits; the scene's colours weigh it after.
+// the matrix and the table, whatever order the scene asks for. What the passes give is 8 bits; the scene's colours
+// weigh it after. Nothing asks for the sign of h·n, as with combiners.
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
 #include "burnish/render/anisotropy/material_sample.h"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "burnish/material/material_textures.h"
-#include "burnish/render/anisotropy/texture_taps.h"
+#include "burnish/render/texture_taps.h"
 
 namespace burnish {
 

@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-#include "burnish/brdf/tables/lookup_table.h"
+#include "burnish/brdf/tables/table_file.h"
 #include "burnish/core/vec3.h"
 #include "burnish/material/material_maps.h"
 
@@ -36,12 +36,14 @@ struct Reflectance {
   bool is_strand() const { return model == ReflectanceModel::kStrand; }
   // All that it names, but for the normals.
   std::vector<std::string> files() const;
+  // The file of a material texture, t, b or n. kIo where there is none, kMalformed where there are several.
+  std::string texture_file(char which) const;
 };
 
 // The lookup tables of a scene, by what they hold.
 struct SceneTable {
   std::string file;
-  std::shared_ptr<const LookupTable> table;  // once the scene's assets are loaded
+  std::shared_ptr<const TableFile> table;  // once the scene's assets are loaded
 };
 using SceneTables = std::map<LookupKind, SceneTable>;
 

@@ -1,22 +1,9 @@
 #include "burnish/render/anisotropy/reflectance_path.h"
 
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 
 namespace burnish {
-namespace {
-
-double gloss_of(const Object& o, const ObjectAssets& assets, const SurfacePoint& point) {
-  if (!o.reflectance->gloss) return 1;
-  const Image& map = *assets.gloss;
-  const TextureTaps taps =
-      texture_taps(point, {o.filter, MipMode::kOff, addressing_of(o.surface), 1}, map.width, map.height, 1);
-  double sum = 0;
-  for (const TextureTaps::Tap& tap : taps) sum += *map.at(tap.texel.x, tap.texel.y) * tap.weight;
-  return sum;
-}
-
-}  // namespace
-
 ReflectancePath::ReflectancePath(const FrameSetup& setup, RenderPath path) : setup_(setup), path_(path) {
   if (path == RenderPath::kAnalytic) return;
   for (const Object& o : setup.scene.objects)
@@ -45,7 +32,7 @@ Vec3d ReflectancePath::texture_normal(std::size_t i, const TextureTaps::Tap& tap
   return Vec3d(assets(i).textures->n.vector(tap.level, tap.texel.x, tap.texel.y));
 }
 
-const LookupTable& ReflectancePath::table(LookupKind kind, TableLayout layout) const {
+const TableFile& ReflectancePath::table(LookupKind kind, TableLayout layout) const {
   const auto found = setup_.scene.tables.find(kind);
   if (found == setup_.scene.tables.end()) {
     std::string key = name(kind);
@@ -53,12 +40,22 @@ const LookupTable& ReflectancePath::table(LookupKind kind, TableLayout layout) c
       if (c == '-') c = '_';
     refuse("needs the table of " + std::string(name(kind)) + ", [tables] " + key);
   }
-  const SceneTable& given = found->second;
-  if (given.table->layout != layout)
-    throw file_error(ErrorKind::kMalformed, given.file,
-                     std::string("expected a table of layout ") + name(layout) + ", as path '" + name(path_) +
-                         "' looks it up, got " + name(given.table->layout));
-  return *given.table;
+  const TableFile& table = *found->second.table;
+  if (table.table.layout != layout)
+    refuse_table(kind, std::string("the layout ") + name(layout), name(table.table.layout));
+  return table;
+}
+
+void ReflectancePath::refuse_table(LookupKind kind, const std::string& wanted, const std::string& got) const {
+  throw file_error(ErrorKind::kMalformed, setup_.scene.tables.at(kind).file,
+                   "expected a table of " + wanted + ", as path '" + name(path_) + "' looks it up, got " + got);
+}
+
+void ReflectancePath::require_domain(const TableFile& table, int argument, Range wanted) const {
+  const Range r = table.function.domain[argument];
+  const auto text = [](Range of) { return number_text(of.least) + ":" + number_text(of.most); };
+  if (r.least > wanted.least || r.most < wanted.most)
+    refuse_table(table.function.kind, "a domain that holds " + text(wanted), text(r));
 }
 
 TextureTaps ReflectancePath::taps(std::size_t i, const SurfacePoint& point) const {
@@ -72,12 +69,12 @@ Vec3d ReflectancePath::shade(std::size_t i, const SurfacePoint& point) const {
   const Reflectance& r = *o.reflectance;
   const LocalView view = local_view(setup_, i, point);
   const TextureTaps taps = this->taps(i, point);
-  const Vec3d base = base_colour(o.base, assets(i), point, o.filter, addressing_of(o.surface));
-  const Vec3d specular = r.specular * gloss_of(o, assets(i), point);
-  Vec3d sum = setup_.scene.ambient * r.ambient * base;
+  const BaseSample base = base_sample(o, assets(i), point, o.filter);
+  const Vec3d specular = r.specular * (r.gloss ? base.alpha : 1);
+  Vec3d sum = setup_.scene.ambient * r.ambient * base.colour;
   for (std::size_t light = 0; light < view.lights.size(); light++) {
     const Reflected part = reflect(i, taps, light, view.lights[light].direction, view.to_viewer);
-    sum += view.lights[light].colour * combined(r.diffuse * base * part.diffuse, specular * part.specular);
+    sum += view.lights[light].colour * combined(r.diffuse * base.colour * part.diffuse, specular * part.specular);
   }
   return sum;
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "burnish/render/anisotropy/local_view.h"
-#include "burnish/render/anisotropy/texture_taps.h"
+#include "burnish/render/texture_taps.h"
 
 namespace burnish {
 
@@ -31,7 +31,11 @@ class ReflectancePath : public ShadingPath {
   // The material textures of an object, which must be there and of that model; so must the object's own.
   const MaterialTextures& require_textures(std::size_t object, MaterialModel model) const;
   // A table that the scene must name.
-  const LookupTable& table(LookupKind kind, TableLayout layout) const;
+  const TableFile& table(LookupKind kind, TableLayout layout) const;
+  // kMalformed: the file of the table.
+  [[noreturn]] void refuse_table(LookupKind kind, const std::string& wanted, const std::string& got) const;
+  // Where an argument is known to go, lookups must not clamp.
+  void require_domain(const TableFile& table, int argument, Range wanted) const;
 
   // Size and levels of what is looked up.
   struct Extent {

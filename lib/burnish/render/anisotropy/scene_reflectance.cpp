@@ -1,9 +1,12 @@
 #include "burnish/render/anisotropy/scene_reflectance.h"
 
+#include "burnish/core/error.h"
+
 namespace burnish {
 namespace {
 
-constexpr NumberRange kExponent{kAboveZero, 1e6, "a number above 0, up to 1000000"};
+constexpr NumberRange kExponent{0, 1e6, "a number from 0 to 1000000"},
+    kStrandExponent{kAboveZero, 1e6, "a number above 0, up to 1000000"};
 
 // A number, or the file of a map.
 void read_parameter(const TomlTable& t, const std::string& key, const std::string& directory, const NumberRange& range,
@@ -32,8 +35,17 @@ std::vector<std::string> Reflectance::files() const {
        {source.alpha_x.map, source.alpha_y.map, source.k_s.map, source.exponent.map, source.directions})
     if (!file.empty()) out.push_back(file.name);
   if (!textures.empty())
-    for (const char which : {'t', 'b', 'n'}) out.push_back(material_file(textures, which));
+    for (const char which : {'t', 'b', 'n'}) out.push_back(texture_file(which));
   return out;
+}
+
+std::string Reflectance::texture_file(char which) const {
+  try {
+    return material_file(textures, which);
+  } catch (const Error& error) {  // what would be an option elsewhere is a key of the scene here
+    if (error.kind() != ErrorKind::kUsage) throw;
+    throw Error(ErrorKind::kMalformed, error.what());
+  }
 }
 
 Reflectance parse_reflectance(const TomlTable& t, const std::string& directory) {
@@ -50,7 +62,7 @@ Reflectance parse_reflectance(const TomlTable& t, const std::string& directory) 
   MaterialSource& source = r.source;
   source.model = textures_of(r.model);
   if (r.is_strand()) {
-    r.strand_exponent = t.number("exponent", kExponent, r.strand_exponent);
+    r.strand_exponent = t.number("exponent", kStrandExponent, r.strand_exponent);
     r.gloss = t.choice<bool>("gloss", {{"none", false}, {"base-alpha", true}}, r.gloss);
   } else {
     const auto parameter = [&](const std::string& key, const NumberRange& range, ParameterSource& out) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 #include "burnish/render/anisotropy/reflectance_maps.h"
 #include "burnish/render/anisotropy/reflectance_path.h"
 
@@ -22,13 +23,15 @@ class StrandPath final : public ReflectancePath {
   StrandPath(const FrameSetup& setup, RenderPath path)
       : ReflectancePath(setup, path),
         bumpy_(path == RenderPath::kStrandBump || path == RenderPath::kStrandBumpUnnormalised),
-        table_(table(LookupKind::kStrand, bumpy_ ? TableLayout::kCubeZ : TableLayout::kOffsetHalf)) {
+        file_(table(LookupKind::kStrand, bumpy_ ? TableLayout::kCubeZ : TableLayout::kOffsetHalf)) {
     const std::size_t most_lights = path == RenderPath::kStrandPs11 ? 1 : 4;
     if (setup.lights.size() > most_lights)
       refuse("takes " + std::string(most_lights == 1 ? "one light" : "up to four lights") + ", got " +
              std::to_string(setup.lights.size()));
     for (std::size_t i = 0; i < setup.scene.objects.size(); i++) {
       if (!reflectance(i).is_strand()) refuse("needs the model strand, which " + described(object(i)) + " has not");
+      if (const double wanted = reflectance(i).strand_exponent; file_.function.exponent != wanted)
+        refuse_table(LookupKind::kStrand, "exponent " + number_text(wanted), number_text(file_.function.exponent));
       if (bumpy_) continue;
       if (reflectance(i).gloss) refuse("has no gloss; strand-bump has");
       if (assets(i).reflectance->bumpy)
@@ -53,7 +56,7 @@ class StrandPath final : public ReflectancePath {
         [&](const StrandSample& s) {
           const Vec3f t = bumpy_ ? orthogonal(s) : s.t;
           float looked_up[4];
-          table_.look_up(2 * dot(half_l, t), 2 * dot(half_v, t), looked_up);
+          file_.table.look_up(2 * dot(half_l, t), 2 * dot(half_v, t), looked_up);
           return Reflected{looked_up[0], looked_up[3]};
         });
   }
@@ -82,7 +85,7 @@ class StrandPath final : public ReflectancePath {
   }
 
   bool bumpy_;
-  const LookupTable& table_;
+  const TableFile& file_;
 };
 
 }  // namespace

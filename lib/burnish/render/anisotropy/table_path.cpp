@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "burnish/core/error.h"
 #include "burnish/render/anisotropy/material_sample.h"
@@ -12,10 +13,9 @@ class TablePath final : public ReflectancePath {
   TablePath(const FrameSetup& setup, RenderPath path) : ReflectancePath(setup, path) {
     const MaterialModel model = model_of(path);
     for (std::size_t i = 0; i < setup.scene.objects.size(); i++) require_textures(i, model);
-    const auto plain = [&](LookupKind kind) { return &table(kind, TableLayout::kPlain); };
-    if (path == RenderPath::kBanks) first_ = plain(LookupKind::kBanksR);
-    if (path == RenderPath::kBlinnPhong) first_ = plain(LookupKind::kBlinnPhongF);
-    if (path == RenderPath::kWard) first_ = plain(LookupKind::kWardS), second_ = plain(LookupKind::kWardE);
+    if (path == RenderPath::kBanks) use_banks_table();
+    if (path == RenderPath::kBlinnPhong) use_blinn_phong_table();
+    if (path == RenderPath::kWard) use_ward_tables();
   }
 
  protected:
@@ -37,6 +37,43 @@ class TablePath final : public ReflectancePath {
   }
 
  private:
+  void use_banks_table() {
+    const TableFile& r = table(LookupKind::kBanksR, TableLayout::kPlain);
+    if (r.function.approximate) refuse_table(LookupKind::kBanksR, "R(s)", "R*(s); path banks-approximate needs none");
+    require_domain(r, 0, {0, 1});
+    first_ = &r.table;
+  }
+
+  void use_blinn_phong_table() {
+    const TableFile& f = table(LookupKind::kBlinnPhongF, TableLayout::kPlain);
+    for (std::size_t i = 0; i < setup_.scene.objects.size(); i++)
+      require_domain(f, 0, exponents(assets(i).textures->b));
+    require_domain(f, 1, {0, 1});
+    first_ = &f.table;
+  }
+
+  // p below and m above the domain clamp: that is where the functions grow without bound, and where they are 0.
+  void use_ward_tables() {
+    const TableFile &s = table(LookupKind::kWardS, TableLayout::kPlain),
+                    &e = table(LookupKind::kWardE, TableLayout::kPlain);
+    require_domain(s, 0, {1, 1});
+    require_domain(e, 0, {0, 0});
+    require_domain(e, 1, {0, 1});
+    first_ = &s.table, second_ = &e.table;
+  }
+
+  // The least and the largest N of all levels.
+  static Range exponents(const MaterialTexture& b) {
+    Range r{std::numeric_limits<double>::max(), 0};
+    for (int level = 0; level < int(b.levels.size()); level++)
+      for (int y = 0; y < b.levels[level].height; y++)
+        for (int x = 0; x < b.levels[level].width; x++) {
+          const double n = b.alpha(level, x, y);
+          r = {std::min(r.least, n), std::max(r.most, n)};
+        }
+    return r;
+  }
+
   static MaterialModel model_of(RenderPath path) {
     if (path == RenderPath::kWard) return MaterialModel::kWard;
     return path == RenderPath::kBanks || path == RenderPath::kBanksApproximate ? MaterialModel::kBanks

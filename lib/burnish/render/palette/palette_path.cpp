@@ -67,7 +67,7 @@ class PalettePath final : public ShadingPath {
       shaded = {shaded.diffuse * (1 - share) + coarser.diffuse * share,
                 shaded.specular * (1 - share) + coarser.specular * share};
     }
-    return blend(o.base.blend, base_colour(o.base, setup_.assets[object], point, o.filter, addressing(object)), shaded);
+    return blend(o.base.blend, base_sample(o, setup_.assets[object], point, o.filter).colour, shaded);
   }
 
   LookedUp look_up(std::size_t object, const SurfacePoint& point) const override {
