@@ -111,7 +111,8 @@ int main(int argc, char** argv) {
          "two)")
       ->type_name("N[xM]");
   app.add_option("--max-error", max_error,
-                 "The smallest power-of-two size whose bilinear lookup errs by at most that, as stored")
+                 "The smallest power-of-two size whose bilinear lookup errs by at most that, as stored; of offset-half "
+                 "but for its outermost half texels, whose error the report has as wrap_error")
       ->type_name("E")
       ->excludes("--size");
   add_choice<TableSampling>(app, "--sampling", sampling, by_name({TableSampling::kEdge, TableSampling::kCentre}),
@@ -148,11 +149,15 @@ int main(int argc, char** argv) {
     const SampleType sample = c_header ? output.sample_or(SampleType::kFloat) : output.sample();
     const FileRef file = tool.write(output.path);
 
-    const TableFile t{function, app.count("--max-error") ? smallest_table(function, sampling, layout, sample, max_error)
-                                                         : bake_table(function, width, height, sampling, layout)};
+    const bool smallest = app.count("--max-error") > 0;
+    const Progress progress = tool.progress();
+    const TableFile t{
+        function, smallest ? smallest_table(function, sampling, layout, sample, max_error, part_of(progress, 0, 0.9))
+                           : bake_table(function, width, height, sampling, layout)};
     LookupFunction exact = function;
     exact.approximate = false;
-    const TableErrors errors = table_errors(exact, as_stored(t.table, sample));
+    const TableErrors errors =
+        table_errors(exact, as_stored(t.table, sample), part_of(progress, smallest ? 0.9 : 0.1, 1));
     if (c_header) write_table_header(file, sample, t);
     else write_table(file, output.type(), sample, t);
 
@@ -160,6 +165,7 @@ int main(int argc, char** argv) {
                {"height", t.table.texels.height},
                {"max_abs_error", errors.max_abs},
                {"rms_error", errors.rms}};
+    if (is_integer(sample)) stats["scale"] = table_scale(t.table);
     if (layout == TableLayout::kOffsetHalf) stats["wrap_error"] = errors.wrap;
     return stats;
   });

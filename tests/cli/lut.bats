@@ -73,6 +73,13 @@ attribute() { grep -aoE "\"burnish:$1\":(\"[^\"]*\"|\[[^]]*\]|\{[^}]*\}|[^,}]*)"
   succeeds burnish-lut ward-s -o t.tif --size 2 --domain 0.25:1
   [ "$(info t.tif)" = "2 1 1 uint16" ]
   [ "$(attribute scale t.png) $(attribute scale t.tif)" = "2.0 2.0" ]
+  for ext in png tif h; do
+    succeeds burnish-lut ward-s -o t2.$ext -d uint16 --size 2 --domain 0.25:1 --report r.json
+    fits_schema lut r.json
+    [ "$(value scale r.json)" = 2.0 ]
+  done
+  succeeds burnish-lut ward-s -o t.exr --report r.json
+  if grep -q '"scale"' r.json; then return 1; fi
   [ "$(attribute domain t.png)" = "[0.25,1.0]" ]
   [ "$(attribute sampling t.png) $(attribute layout t.png)" = '"edge" "plain"' ]
   succeeds burnish-lut strand -o t.png --exponent 50 --layout cube-z --size 8
@@ -127,14 +134,16 @@ C
   refuses 1 "--output-type png is for standard output" burnish-lut strand -o x.h --output-type png
 }
 
-@test "TGA and BMP hold a table's texels" {
+@test "TGA and BMP hold a table's texels where no scale is to be recorded" {
   for type in tga bmp; do
     for function in banks-r strand light-factor; do
       succeeds burnish-lut $function -o t.$type
       succeeds burnish-lut $function -o t.png
       same_pixels t.$type t.png 0
     done
+    refuses 5 "'x.$type': the table is stored divided by its largest value, 10, which" burnish-lut ward-s -o x.$type
   done
+  refuses 5 "use PNG, TIFF or EXR" burnish-lut light-factor --light 2,1,1 -o x.tga
 }
 
 @test "--layout: shifted by half, and as a face of a cube map" {
@@ -152,6 +161,13 @@ C
     burnish-lut strand -o x.exr --layout cube-z --sampling edge
   refuses 1 "--size: the layout offset-half needs an even width, got 15" \
     burnish-lut strand -o x.exr --layout offset-half --size 15
+  for layout in offset-half cube-z; do
+    refuses 1 "--domain: the layout $layout needs -1:1,-1:1, got 0:1,-1:1" \
+      burnish-lut strand -o x.exr --layout $layout --domain 0:1,-1:1
+  done
+  succeeds burnish-lut strand -o half.exr --max-error 0.2 --layout offset-half --report half.json
+  "${PYTHON3:-python3}" -c 'import sys; n, wrap = map(float, sys.argv[1:]); assert n < 256 and wrap > .4' \
+    "$(value width half.json)" "$(value wrap_error half.json)"
   refuses 1 "expected plain|offset-half|cube-z, got 'cube'" burnish-lut strand -o x.exr --layout cube
 }
 

@@ -158,6 +158,53 @@ TEST(BrdfTables, TheSmallestTableIsGoodEnoughAndNoneBeforeItIs) {
                  ErrorKind::kUsage, "max-error: expected a number above 0, got ");
 }
 
+// Where a repeat filter mixes the ends, no size helps.
+TEST(BrdfTables, TheSmallestTableIsNotJudgedWhereTheEndsMix) {
+  const LookupFunction f = function(LookupKind::kStrand);
+  const LookupTable t = smallest_table(f, TableSampling::kCentre, TableLayout::kOffsetHalf, SampleType::kHalf, 0.2);
+  EXPECT_LT(t.texels.texels(), 4096u);
+  EXPECT_GT(table_errors(f, t).wrap, 0.4);
+  // Inside it is the table that is not shifted, whose error there the limit holds for.
+  const LookupTable plain = bake_table(f, t.texels.width, t.texels.height, TableSampling::kCentre, TableLayout::kPlain);
+  const double inside = 1 - 1.0 / std::min(t.texels.width, t.texels.height);
+  for (double x = -inside; x <= inside; x += inside / 100)
+    for (double y = -inside; y <= inside; y += inside / 100) {
+      double exact[4];
+      float found[4];
+      f.evaluate(x, y, exact);
+      plain.look_up(float(x), float(y), found);
+      for (int c = 0; c < 4; c++) ASSERT_NEAR(found[c], exact[c], 0.21) << x << " " << y;
+    }
+}
+
+// Beyond 2²⁰ texels places are fewer, and there is still one where the root errs most.
+TEST(BrdfTables, LargeTablesErrAsTheRootDoes) {
+  LookupFunction f = function(LookupKind::kStrand);
+  f.exponent = 1;
+  const int side = 2048;
+  const LookupTable t = bake_table(f, side, 4, TableSampling::kEdge, TableLayout::kPlain),
+                    many = bake_table(f, side, 1024, TableSampling::kEdge, TableLayout::kPlain);
+  const double few_places = table_errors(f, many).max_abs, many_places = table_errors(f, t).max_abs;
+  const double h = 2.0 / (side - 1);
+  for (const double error : {few_places, many_places}) EXPECT_GE(error, std::sqrt(2 * h) / 4 * 0.99);
+}
+
+TEST(BrdfTables, ProgressNeverGoesBackAndEndsWithTheWork) {
+  const LookupFunction f = function(LookupKind::kWardE);
+  std::vector<double> seen;
+  const Progress progress = [&](double fraction) { seen.push_back(fraction); };
+  const LookupTable t = smallest_table(f, TableSampling::kEdge, TableLayout::kPlain, SampleType::kHalf, 0.02, progress);
+  EXPECT_GT(seen.size(), 3u);
+  EXPECT_TRUE(std::ranges::is_sorted(seen));
+  EXPECT_GE(seen.front(), 0);
+  EXPECT_LT(seen.back(), 1);
+  seen.clear();
+  table_errors(f, t, progress);
+  EXPECT_GT(seen.size(), 3u);
+  EXPECT_TRUE(std::ranges::is_sorted(seen));
+  EXPECT_EQ(seen.back(), 1);
+}
+
 TEST(BrdfTables, DomainsThatCrossASingularityAndSizesThatDoNotFitAreRefused) {
   const auto refused = [](LookupKind kind, std::vector<Range> domain, const std::string& why) {
     LookupFunction f = function(kind);
@@ -189,6 +236,12 @@ TEST(BrdfTables, DomainsThatCrossASingularityAndSizesThatDoNotFitAreRefused) {
   size_refused(s, 15, 16, TableSampling::kCentre, TableLayout::kOffsetHalf);
   EXPECT_ERROR(bake_table(s, 16, 16, TableSampling::kEdge, TableLayout::kCubeZ), ErrorKind::kUsage,
                "sampling: the layout cube-z needs centre, got edge");
+  LookupFunction narrow = s;
+  narrow.domain = {{0, 1}, {-1, 1}};
+  for (TableLayout layout : {TableLayout::kOffsetHalf, TableLayout::kCubeZ})
+    EXPECT_ERROR(bake_table(narrow, 16, 16, TableSampling::kCentre, layout), ErrorKind::kUsage,
+                 std::string("domain: the layout ") + name(layout) + " needs -1:1,-1:1, got 0:1,-1:1");
+  EXPECT_NO_THROW(bake_table(narrow, 16, 16, TableSampling::kCentre, TableLayout::kPlain));
   LookupFunction light = function(LookupKind::kLightFactor);
   light.ambient = -0.1;
   EXPECT_ERROR(require_valid(light), ErrorKind::kUsage, "ambient: expected at least 0, got -0.1");

@@ -4,16 +4,12 @@
 #include <cmath>
 
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 #include "burnish/core/parallel.h"
+#include "burnish/core/wording.h"
 
 namespace burnish {
 namespace {
-
-// The two texels a place lies between, and how far it is from the first to the second.
-struct Between {
-  int first, second;
-  float share;
-};
 
 // The texel that holds argument number i, counted from the low end.
 int place_of(int i, int n, TableLayout layout, bool row) {
@@ -21,7 +17,7 @@ int place_of(int i, int n, TableLayout layout, bool row) {
   return layout == TableLayout::kCubeZ && row ? n - 1 - i : i;
 }
 
-Between between(float x, Range r, int n, const LookupTable& t, bool row) {
+TexelPair between(float x, Range r, int n, const LookupTable& t, bool row) {
   const float share_of_domain = (x - float(r.least)) / float(r.most - r.least);
   const bool edge = t.sampling == TableSampling::kEdge, repeats = t.layout == TableLayout::kOffsetHalf;
   float place = edge ? share_of_domain * float(n - 1) : share_of_domain * float(n) - 0.5f;
@@ -38,6 +34,13 @@ Between between(float x, Range r, int n, const LookupTable& t, bool row) {
 double argument(int i, int n, Range r, TableSampling sampling) {
   const double share = sampling == TableSampling::kEdge ? double(i) / (n - 1) : (i + 0.5) / n;
   return r.least + share * (r.most - r.least);
+}
+
+// "-1:1,-1:1"
+std::string domain_text(const std::vector<Range>& domain) {
+  std::vector<std::string> ranges;
+  for (const Range r : domain) ranges.push_back(number_text(r.least) + ":" + number_text(r.most));
+  return joined(ranges, ",");
 }
 
 void require_side(const char* what, int n, TableSampling sampling, TableLayout layout) {
@@ -57,9 +60,12 @@ const char* name(TableLayout layout) {
   return layout == TableLayout::kPlain ? "plain" : layout == TableLayout::kOffsetHalf ? "offset-half" : "cube-z";
 }
 
-void LookupTable::look_up(float x, float y, float* out) const {
-  const Between u = between(x, domain[0], texels.width, *this, false);
-  const Between v = domain.size() > 1 ? between(y, domain[1], texels.height, *this, true) : Between{0, 0, 0};
+TexelPair LookupTable::columns_at(float x) const { return between(x, domain[0], texels.width, *this, false); }
+TexelPair LookupTable::rows_at(float y) const {
+  return domain.size() > 1 ? between(y, domain[1], texels.height, *this, true) : TexelPair{0, 0, 0};
+}
+
+void LookupTable::look_up(const TexelPair& u, const TexelPair& v, float* out) const {
   const float *a = texels.at(u.first, v.first), *b = texels.at(u.second, v.first), *c = texels.at(u.first, v.second),
               *d = texels.at(u.second, v.second);
   for (int i = 0; i < texels.channels; i++) {
@@ -71,6 +77,10 @@ void LookupTable::look_up(float x, float y, float* out) const {
 void require_table_shape(const LookupFunction& f, int width, int height, TableSampling sampling, TableLayout layout) {
   if (sampling == TableSampling::kEdge && layout != TableLayout::kPlain)
     throw Error(ErrorKind::kUsage, std::string("sampling: the layout ") + name(layout) + " needs centre, got edge");
+  if (layout != TableLayout::kPlain && !std::ranges::all_of(f.domain, [](Range r) { return r == Range{-1, 1}; }))
+    throw Error(ErrorKind::kUsage, std::string("domain: the layout ") + name(layout) + " needs " +
+                                       domain_text(std::vector<Range>(f.domain.size(), {-1, 1})) + ", got " +
+                                       domain_text(f.domain));
   require_side("width", width, sampling, layout);
   if (f.arguments() > 1) require_side("height", height, sampling, layout);
   else if (height != 1)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -15,6 +16,7 @@ namespace burnish {
 namespace {
 
 constexpr std::size_t kMostTried = std::size_t(1) << 22;
+constexpr std::size_t kManyTexels = std::size_t(1) << 20;
 
 struct Axis {
   Range range;
@@ -34,60 +36,91 @@ Axis axis(Range range, int texels, std::size_t steps, const LookupTable& t) {
           t.layout == TableLayout::kOffsetHalf ? 0.5 / texels : 0};
 }
 
-// One row of the places where errors are asked, and what is found there.
-struct Places {
-  Axis x, y;
-  bool two;
-
-  Places(const LookupFunction& f, const LookupTable& table)
-      : x(axis(f.domain[0], table.texels.width, f.arguments() > 1 ? 8 : 64, table)), two(f.arguments() > 1) {
-    if (two) y = axis(f.domain[1], table.texels.height, 8, table);
-  }
-  std::size_t rows() const { return y.steps + 1; }
-
-  TableErrors row(const LookupFunction& f, const LookupTable& table, std::size_t j) const {
-    TableErrors row;  // rms: the sum of squares
-    for (std::size_t i = 0; i <= x.steps; i++) {
-      double exact[4];
-      float found[4];
-      const double b = two ? y.at(j) : 0;
-      f.evaluate(x.at(i), b, exact);
-      table.look_up(float(x.at(i)), float(b), found);
-      for (int c = 0; c < f.channels(); c++) {
-        const double error = std::abs(found[c] - exact[c]);
-        row.max_abs = std::max(row.max_abs, error);
-        row.rms += error * error;
-        if (x.wraps(i) || (two && y.wraps(j))) row.wrap = std::max(row.wrap, error);
-      }
-    }
-    return row;
-  }
+// What is found in one row of places.
+struct RowErrors {
+  double inside = 0, wrap = 0;  // the largest, where the ends do not mix and where they do
+  double squares = 0;           // their sum
 };
 
-// Whether no error is larger. What it asks first is spread over the domain, so that a table that fails does so soon.
+// The places where errors are asked.
+class Places {
+ public:
+  Places(const LookupFunction& f, const LookupTable& table) : f_(f), table_(table), two_(f.arguments() > 1) {
+    const std::size_t steps = !two_ ? 64 : table.texels.texels() <= kManyTexels ? 8 : 4;
+    const Axis x = axis(f.domain[0], table.texels.width, steps, table);
+    if (two_) y_ = axis(f.domain[1], table.texels.height, steps, table);
+    for (std::size_t i = 0; i <= x.steps; i++)
+      columns_.push_back({x.at(i), table.columns_at(float(x.at(i))), x.wraps(i)});
+  }
+  std::size_t rows() const { return y_.steps + 1; }
+  double count() const { return double(rows()) * double(columns_.size()) * f_.channels(); }
+
+  RowErrors row(std::size_t j) const {
+    const double y = two_ ? y_.at(j) : 0;
+    const bool wraps = two_ && y_.wraps(j);
+    const TexelPair rows = table_.rows_at(float(y));
+    const int channels = f_.channels();
+    RowErrors errors;
+    for (const Column& column : columns_) {
+      double exact[4], most = 0;
+      float found[4];
+      f_.evaluate(column.x, y, exact);
+      table_.look_up(column.texels, rows, found);
+      for (int c = 0; c < channels; c++) {
+        const double error = std::abs(found[c] - exact[c]);
+        most = std::max(most, error);
+        errors.squares += error * error;
+      }
+      double& kind = wraps || column.wraps ? errors.wrap : errors.inside;
+      kind = std::max(kind, most);
+    }
+    return errors;
+  }
+
+ private:
+  struct Column {
+    double x;
+    TexelPair texels;
+    bool wraps;
+  };
+  const LookupFunction& f_;
+  const LookupTable& table_;
+  const bool two_;
+  Axis y_;
+  std::vector<Column> columns_;
+};
+
+// Whether no error is larger, but for where the ends mix. What it asks first is spread over the domain, so that a
+// table that fails does so soon.
 bool errs_at_most(double limit, const LookupFunction& f, const LookupTable& table) {
   const Places places(f, table);
   std::atomic<bool> exceeded = false;
   const std::size_t rows = places.rows(), strides = std::min<std::size_t>(rows, 61);
   for (std::size_t first = 0; first < strides && !exceeded; first++)
     parallel_for((rows - first + strides - 1) / strides, [&](std::size_t k) {
-      if (!exceeded && places.row(f, table, first + k * strides).max_abs > limit) exceeded = true;
+      if (!exceeded && places.row(first + k * strides).inside > limit) exceeded = true;
     });
   return !exceeded;
 }
 
 }  // namespace
 
-TableErrors table_errors(const LookupFunction& f, const LookupTable& table) {
+TableErrors table_errors(const LookupFunction& f, const LookupTable& table, const Progress& progress) {
   const Places places(f, table);
-  std::vector<TableErrors> rows(places.rows());
-  parallel_for(rows.size(), [&](std::size_t j) { rows[j] = places.row(f, table, j); });
-  TableErrors all;
-  for (const TableErrors& row : rows) {
-    all.max_abs = std::max(all.max_abs, row.max_abs), all.wrap = std::max(all.wrap, row.wrap);
-    all.rms += row.rms;
+  std::vector<RowErrors> rows(places.rows());
+  const std::size_t band = rows.size() / 64 + 1;
+  for (std::size_t first = 0; first < rows.size(); first += band) {
+    const std::size_t count = std::min(band, rows.size() - first);
+    parallel_for(count, [&](std::size_t j) { rows[first + j] = places.row(first + j); });
+    report_progress(progress, double(first + count) / double(rows.size()));
   }
-  all.rms = std::sqrt(all.rms / (double(rows.size()) * double(places.x.steps + 1) * f.channels()));
+  TableErrors all;
+  double squares = 0;
+  for (const RowErrors& row : rows) {
+    all.max_abs = std::max({all.max_abs, row.inside, row.wrap}), all.wrap = std::max(all.wrap, row.wrap);
+    squares += row.squares;
+  }
+  all.rms = std::sqrt(squares / places.count());
   return all;
 }
 
@@ -117,11 +150,13 @@ LookupTable as_stored(const LookupTable& table, SampleType sample) {
 }
 
 LookupTable smallest_table(const LookupFunction& f, TableSampling sampling, TableLayout layout, SampleType sample,
-                           double max_error) {
+                           double max_error, const Progress& progress) {
   if (!(max_error > 0))
     throw Error(ErrorKind::kUsage, "max-error: expected a number above 0, got " + number_text(max_error));
   const int least = sampling == TableSampling::kEdge || layout == TableLayout::kOffsetHalf ? 1 : 0;  // of the exponent
-  for (int texels = least; (std::size_t(1) << texels) <= kMostTried; texels++) {
+  const int most = std::bit_width(kMostTried) - 1;
+  for (int texels = least; texels <= most; texels++) {
+    report_progress(progress, double(texels - least) / (most - least + 1));
     std::vector<std::pair<int, int>> sizes;  // exponents, the squarest first
     for (int w = least; w <= texels; w++) {
       const int h = texels - w;

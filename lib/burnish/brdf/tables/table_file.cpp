@@ -8,6 +8,7 @@
 #include "burnish/brdf/tables/table_error.h"
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
+#include "burnish/core/number_text.h"
 #include "burnish/core/wording.h"
 
 namespace burnish {
@@ -119,6 +120,10 @@ void write_table(const FileRef& file, FileType type, SampleType sample, const Ta
                         {kLayout, name(table.layout)},
                         {kParameters, JsonText{parameters_json(t.function)}}};
   const float scale = is_integer(sample) ? float(table_scale(table)) : 1;
+  if (scale != 1 && (type == FileType::kTga || type == FileType::kBmp))
+    throw file_error(ErrorKind::kUnsupported, file.name,
+                     std::string("the table is stored divided by its largest value, ") + number_text(scale) +
+                         ", which " + name(type) + " cannot record: use PNG, TIFF or EXR");
   if (is_integer(sample)) attributes.emplace_back(kScale, Numbers(table.texels.channels, scale));
   ImageWriter writer(file, type, sample, table.texels.width, table.texels.height, table.texels.channels, attributes);
   std::vector<float> row(std::size_t(table.texels.width) * table.texels.channels);
