@@ -9,7 +9,6 @@
 // for α of at most ½; in the last degree 1/√p lets it grow without bound, as is known of the model.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "burnish/brdf/local_frame.h"
@@ -36,7 +35,7 @@ inline double ward_brdf(const LocalFrame& f, const Ward& w, Vec3d l, Vec3d v) {
 }
 // L_o per unit of light that falls at a right angle.
 inline double ward(const LocalFrame& f, const Ward& w, Vec3d l, Vec3d v) {
-  return ward_brdf(f, w, l, v) * std::max(0.0, dot(f.n, l));
+  return ward_brdf(f, w, l, v) * dot(f.n, l);
 }
 
 }  // namespace burnish
