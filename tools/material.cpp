@@ -1,6 +1,7 @@
 // burnish-material: material textures of a bumpy surface that reflects anisotropically.
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "burnish/core/error.h"
@@ -64,7 +65,8 @@ void add_options(CLI::App& app, Options& o) {
       add_value(o.angle,
                 "Direction of anisotropy in degrees counter-clockwise from +u (default 0), or a map in "
                 "which 0 to 1 is a turn");
-  app.add_option("--direction", o.directions, "Direction of anisotropy as a map of vectors of any length")
+  app.add_option("--direction", o.directions,
+                 "Direction of anisotropy as a map of vectors of any length, such as of burnish-tangents --to vector")
       ->type_name("FILE")
       ->excludes(angle);
   app.add_option("--normal", o.normals, "Bump normals in tangent space (default (0,0,1))")->type_name("FILE");
@@ -78,15 +80,25 @@ void add_options(CLI::App& app, Options& o) {
   o.coding.add_to(app);
 }
 
+FileRef map_of(Tool& tool, const NumberOrMap& value) {
+  std::error_code unknown;
+  if (value.text != "-" && !std::filesystem::exists(value.text, unknown) && !unknown)
+    throw Error(ErrorKind::kIo, value.flag + ": expected a number or the file of a map, got '" + value.text + "'");
+  return tool.read(value.text);
+}
+
 void give(Tool& tool, const NumberOrMap& value, ParameterSource& to) {
   if (value.text.empty()) return;
-  if (const std::optional<double> number = value.number()) to.number = float(*number);
-  else to.map = tool.read(value.text);
+  if (const std::optional<double> number = value.number()) to.number = *number;
+  else to.map = map_of(tool, value);
 }
 
 // Options that others rule out or ask for.
 void check(Tool& tool, const Options& o) {
   const MaterialModel model = o.source.model;
+  if (o.prefix == "-")
+    throw Error(ErrorKind::kUsage,
+                "--output: expected a prefix of three files' names, got '-': standard output takes one");
   const bool divided = model != MaterialModel::kBanks;
   for (const NumberOrMap* alpha : {&o.alpha_x, &o.alpha_y}) {
     if (divided && alpha->text.empty())
@@ -113,7 +125,7 @@ void read_inputs(Tool& tool, Options& o) {
     if (!std::isfinite(*angle_deg)) throw Error(ErrorKind::kUsage, "angle: expected a number, got " + o.angle.text);
     source.angle_rad = radians(*angle_deg);
   } else if (!o.angle.text.empty()) {
-    source.directions = tool.read(o.angle.text);
+    source.directions = map_of(tool, o.angle);
     source.direction_coding.form = DirectionForm::kAngle;
   }
   if (!o.directions.empty()) source.directions = tool.read(o.directions);

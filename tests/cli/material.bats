@@ -151,13 +151,22 @@ burnish-material: warning: --exponent is not used: banks has none" ]
 }
 
 @test "values out of range" {
-  for bad in 0 -1 nan inf; do
-    refuses 1 "--alpha-x: expected a number above 0, got" burnish-material --model ward --alpha-x=$bad --alpha-y 1 -o x
+  for bad in 0 -1 nan; do
+    refuses 1 "--alpha-x: expected a number above 0, got $bad" burnish-material --model ward --alpha-x=$bad --alpha-y 1 -o x
   done
   refuses 1 "--ks: expected a number of at least 0, got -1" burnish-material $ward --ks=-1 -o x
   refuses 1 "--ks: expected at most 1 in uint8 samples, got 2" burnish-material --model banks --ks 2 -o x
   refuses 1 "--exponent: expected at most 128 in uint8 samples, got 200" burnish-material --model blinn-phong --alpha-x 1 --alpha-y 1 --exponent 200 -o x
   refuses 1 "--alpha-x: expected at least" burnish-material --model ward --alpha-x 1e-6 --alpha-y 1 --encode float --extension exr -o x
+  refuses 1 "--alpha-x: expected a finite number above 0, got inf" burnish-material --model ward --alpha-x inf --alpha-y 1 -o x
+  refuses 1 "--ks: expected a finite number of at least 0, got inf" burnish-material $ward --ks inf -o x
+  for bad in 1e-50 1e50; do
+    refuses 1 "--alpha-x: expected a number within single precision, got ${bad/e50/e+50}" burnish-material --model ward --alpha-x $bad --alpha-y 1 -o x
+  done
+  for bad in 0,5 1e400 0.5x; do
+    refuses 2 "--alpha-x: expected a number or the file of a map, got '$bad'" burnish-material --model ward --alpha-x $bad --alpha-y 1 -o x
+  done
+  refuses 2 "--angle: expected a number or the file of a map, got '45deg'" burnish-material $ward --angle 45deg -o x
   refuses 1 "--angle: expected a number, got nan" burnish-material $ward --angle nan -o x
   make_image nan 9 7 nan.exr float
   refuses 3 "'nan.exr': expected a number above 0, got nan at column 4, row 3" burnish-material --model ward --alpha-x nan.exr --alpha-y 1 -o x
@@ -169,6 +178,7 @@ burnish-material: warning: --exponent is not used: banks has none" ]
   refuses 3 "'n.png': expected 9x8 texels as in 'other.png', got 9x7" burnish-material --model ward --alpha-x other.png --alpha-y 1 --normal n.png -o x
   refuses 3 "'other.png': expected 3 channels" burnish-material $ward --direction other.png -o x
   refuses 2 "'missing.png'" burnish-material $ward --ks missing.png -o x
+  refuses 1 "--output: expected a prefix of three files' names, got '-'" burnish-material $ward -o -
   refuses 2 "'nowhere/x_t.png'" burnish-material $ward -o nowhere/x
   refuses 1 "--encode: float needs half or float samples, which exr has, not uint8" burnish-material $ward --encode float -o x
   refuses 5 "half" burnish-material $ward -d half -o x

@@ -31,7 +31,7 @@ inputs() {
   texel_is "$("$BURNISH_FIXTURE" texel v.exr 3 2 | awk '{l = sqrt($1*$1 + $2*$2 + $3*$3); print $1/l, $2/l, $3/l}')" t.exr 3 2 1e-3
   succeeds burnish-tangents v.exr -o t.png
   [ "$("$BURNISH_FIXTURE" info t.png)" = "8 8 3 uint8" ]
-  grep -aqF '{"burnish:space":"tangent"}' t.png
+  grep -aqF '{"burnish:direction":"vector","burnish:space":"tangent"}' t.png
 }
 
 @test "--from and --to: one form into another and back" {
@@ -140,6 +140,34 @@ inputs() {
   refuses 1 "'flow.png': is an input" burnish-tangents flow.png --from flow -o flow.png
   refuses 1 "" burnish-tangents flow.png n.png -o x.png
   refuses 5 "half" burnish-tangents flow.png -o x.png -d half
+}
+
+@test "a map that says it is of another form, and a lookup table, are refused" {
+  inputs
+  succeeds burnish-tangents flow.png --from flow --to khr -o k.png
+  succeeds burnish-tangents flow.png --from flow --to angle -o a.exr
+  grep -aqF '{"burnish:direction":"khr"}' k.png
+  refuses 3 "'k.png': expected directions as vector, got khr: burnish-tangents reads it --from khr and writes it --to vector" burnish-tangents k.png -o x.png
+  refuses 3 "'a.exr': expected directions as vector, got angle" burnish-tangents a.exr -o x.png
+  refuses 3 "'k.png': expected directions as vector, got khr" burnish-material --model banks --direction k.png -o x
+  succeeds burnish-tangents k.png --from khr -o v.png
+  succeeds burnish-material --model banks --direction v.png -o m
+  succeeds burnish-lut strand -o lut.png --size 16
+  refuses 3 "'lut.png': expected directions as vector, got a lookup table of strand" burnish-tangents lut.png -o x.png
+}
+
+@test "a file that promises more than it holds is refused by its name, whatever memory there is" {
+  inputs
+  "${PYTHON3:-python3}" - <<'PYTHON'
+import struct, zlib
+def chunk(name, data): return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+head = struct.pack(">IIBBBBB", 60000, 60000, 8, 2, 0, 0, 0)
+open("huge.png", "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(bytes(500000))) + chunk(b"IEND", b""))
+PYTHON
+  refuses 3 "'huge.png': " burnish-tangents huge.png -o x.png
+  refuses 3 "'huge.png': " burnish-tangents flow.png --from flow --normal huge.png -o x.png
+  refuses 3 "'huge.png': " burnish-material --model banks --direction huge.png -o x
+  refuses 3 "'huge.png': " burnish-material --model banks --ks huge.png -o x
 }
 
 @test "object-space normals are refused where the file says so" {

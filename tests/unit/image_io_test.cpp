@@ -8,6 +8,7 @@
 #include <cstring>
 #include <random>
 
+#include "burnish/core/whole_image.h"
 #include "expect_error.h"
 #include "scratch_dir.h"
 
@@ -321,6 +322,33 @@ TEST(ImageIo, AFullDiskIsAnIoError) {
       EXPECT_ERROR(write_image("/dev/full", k.type, k.sample, random_image(side, side, 3, k.sample)), ErrorKind::kIo,
                    "cannot be written");
     }
+}
+
+TEST(ImageIo, AWholeImageIsReadInBands) {
+  const std::size_t per_row = std::size_t(1) << 21;
+  std::vector<int> firsts;
+  const auto values = read_whole<std::uint8_t>("x", 5, per_row, [&](int first, int count, std::uint8_t* out) {
+    firsts.push_back(first);
+    for (int j = 0; j < count; j++) std::memset(out + std::size_t(j) * per_row, first + j, per_row);
+  });
+  EXPECT_EQ(firsts, (std::vector<int>{0, 2, 4}));
+  ASSERT_EQ(values.size(), 5 * per_row);
+  for (int j = 0; j < 5; j++) {
+    EXPECT_EQ(values[j * per_row], j);
+    EXPECT_EQ(values[(j + 1) * per_row - 1], j);
+  }
+}
+
+TEST(ImageIo, AFileThatPromisesMoreThanItHoldsIsRefusedByItsName) {
+  const ScratchDir dir;
+  write_bytes(dir / "huge.ppm", "P6\n60000 60000\n255\n" + std::string(200000, 'x'));
+  EXPECT_ERROR(read_image(dir / "huge.ppm"), ErrorKind::kMalformed, "huge.ppm'");
+  EXPECT_ERROR(ImageReader(dir / "huge.ppm").read_level(0), ErrorKind::kMalformed, "huge.ppm'");
+  const auto full = [](int first, int, float*) {
+    if (first > 0) throw std::bad_alloc();
+  };
+  EXPECT_ERROR(read_whole<float>("x.png", 60000, 1000, full), ErrorKind::kUnsupported,
+               "'x.png': is larger than memory: 60000 rows of 1000 values");
 }
 
 TEST(ImageIo, MasksAreTheFirstChannelOfAnyImageOfThatSize) {

@@ -210,8 +210,10 @@ TEST(MaterialTextures, WardsAlphaIsDividedByItsMaximum) {
 TEST(MaterialTextures, WhatDoesNotFitIsAnError) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   for (const float bad : {0.f, -0.5f, nan, inf}) {
-    EXPECT_ERROR(texel(kWard, bad, 1), ErrorKind::kUsage, "alpha-x: expected a number above 0, got");
-    EXPECT_ERROR(texel(kBlinnPhong, 1, bad), ErrorKind::kUsage, "alpha-y: expected a number above 0, got");
+    const std::string wanted =
+        bad == inf ? "expected a finite number above 0, got inf" : "expected a number above 0, got";
+    EXPECT_ERROR(texel(kWard, bad, 1), ErrorKind::kUsage, "alpha-x: " + wanted);
+    EXPECT_ERROR(texel(kBlinnPhong, 1, bad), ErrorKind::kUsage, "alpha-y: " + wanted);
   }
   EXPECT_NO_THROW(texel(kBanks, 0, nan));
   EXPECT_ERROR(texel(kWard, 1, 1, -1), ErrorKind::kUsage, "ks: expected a number of at least 0, got -1");

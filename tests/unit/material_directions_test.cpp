@@ -124,6 +124,28 @@ TEST(Directions, FilesThatHoldNone) {
   EXPECT_ERROR(read_surface_normals(dir / "object.exr", {}), ErrorKind::kMalformed, "tangent space");
 }
 
+// What one tool wrote as khr is not another's vectors.
+TEST(Directions, FilesThatSayTheyHoldAnotherForm) {
+  const ScratchDir dir;
+  write_samples(dir / "v.exr", SampleType::kFloat, 2, 1, 3, {1, 0.5f, 0.25f, 0.5f, 1, 1});
+  for (const DirectionForm form : {kVector, kKhr}) {
+    const std::string file = dir / (std::string(name(form)) + ".tif"), other = form == kKhr ? "vector" : "khr";
+    convert_directions({dir / "v.exr", {kVector}, {}, {}, {}}, {file, FileType::kTiff, SampleType::kUint16, {form}});
+    EXPECT_NO_THROW(read_direction_map(file, {form}));
+    EXPECT_ERROR(read_direction_map(file, {form == kKhr ? kVector : kKhr}), ErrorKind::kMalformed,
+                 std::string(name(form)) + ".tif': expected directions as " + other + ", got " + name(form) +
+                     ": burnish-tangents reads it --from " + name(form) + " and writes it --to " + other);
+    EXPECT_ERROR(read_direction_map(file, {kFlow}), ErrorKind::kMalformed, "expected directions as flow, got");
+  }
+  convert_directions({dir / "v.exr", {kVector}, {}, {}, {}},
+                     {dir / "a.exr", FileType::kExr, SampleType::kHalf, {kAngle}});
+  EXPECT_NO_THROW(read_direction_map(dir / "a.exr", {kAngle}));
+  EXPECT_ERROR(read_direction_map(dir / "a.exr", {kVector}), ErrorKind::kMalformed, "got angle");
+  write_image(dir / "lut.exr", FileType::kExr, SampleType::kHalf, Image(4, 4, 4), {{"burnish:function", "strand"}});
+  for (const DirectionForm form : {kVector, kFlow, kKhr})
+    EXPECT_ERROR(read_direction_map(dir / "lut.exr", {form}), ErrorKind::kMalformed, "got a lookup table of strand");
+}
+
 TEST(DirectionTurns, AFieldThatLooksTheSameTurnedIsTheSameTurned) {
   DirectionMap map = swirl(6, 6);
   for (Vec3f& v : map.vectors) v.z = 1;

@@ -72,8 +72,7 @@ TEST(MaterialTextureFiles, ThatAreNoneOrNotOfOneMaterial) {
   MaterialTextures broken = Files::textures(kWard, 8, 4);
   broken.n.levels[0].at(2, 1)[3] = std::numeric_limits<float>::quiet_NaN();
   files.write(broken);
-  EXPECT_ERROR(files.read(), ErrorKind::kMalformed,
-               "m_n.exr': expected finite values, got NaN or infinity at column 2");
+  EXPECT_ERROR(files.read(), ErrorKind::kMalformed, "m_n.exr': expected finite values, got nan at column 2, row 1");
   write_image(files.n, FileType::kExr, SampleType::kFloat, Image(8, 4, 4),
               {{"burnish:model", "ward"},
                {"burnish:alpha", "k_s/(4 pi alpha_x alpha_y)"},
@@ -88,6 +87,7 @@ TEST(MaterialTextureFiles, AreFoundByTheirPrefix) {
   EXPECT_ERROR(material_file(files.dir / "no", 'b'), ErrorKind::kIo, "no_b.exr, .png or .tif': there is none");
   write_image(files.dir / "m_n.tif", FileType::kTiff, SampleType::kUint8, Image(1, 1, 3));
   EXPECT_ERROR(material_file(prefix, 'n'), ErrorKind::kUsage, "expected one of them, got '");
+  EXPECT_ERROR(material_file(prefix, 'n'), ErrorKind::kUsage, "_n.tif': remove or rename one of them");
 }
 
 }  // namespace

@@ -4,12 +4,7 @@
 
 namespace burnish {
 
-Image read_image(const FileRef& file) {
-  ImageReader reader(file);
-  Image image(reader.width(), reader.height(), reader.channels());
-  reader.read_rows(0, image.height, image.data.data());
-  return image;
-}
+Image read_image(const FileRef& file) { return ImageReader(file).read_level(0); }
 
 void write_image(const FileRef& file, FileType type, SampleType sample, const Image& image,
                  const Attributes& attributes) {

@@ -48,7 +48,7 @@ class ImageReader {
 
   // Of a mip chain; 1 for other files. The functions above speak of level 0, the base.
   int levels() const;
-  // All texels of a level, whatever its size.
+  // All texels of a level, whatever its size. kUnsupported where memory does not hold them.
   Image read_level(int level);
 
   // kMalformed unless the image has that size; `what` names the other image.

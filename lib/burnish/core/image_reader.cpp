@@ -9,6 +9,7 @@
 #include "burnish/core/codecs.h"
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
+#include "burnish/core/whole_image.h"
 
 namespace burnish {
 
@@ -165,6 +166,13 @@ int ImageReader::levels() const {
 }
 
 Image ImageReader::read_level(int level) {
+  if (level == 0) {
+    Image image;
+    image.width = width(), image.height = height(), image.channels = channels();
+    image.data = read_whole<float>(name(), image.height, std::size_t(image.width) * image.channels,
+                                   [&](int first, int count, float* out) { read_rows(first, count, out); });
+    return image;
+  }
   const OIIO::ImageSpec spec = impl_->in->spec_dimensions(0, level);
   Image image(spec.width, spec.height, channels());
   if (spec.nchannels != channels() ||

@@ -7,7 +7,6 @@
 #include "burnish/core/error.h"
 #include "burnish/material/orthonormal_directions.h"
 #include "burnish/material/shared_size.h"
-#include "burnish/normal/normal_space.h"
 
 namespace burnish {
 namespace {
@@ -38,8 +37,7 @@ DirectionStats convert_directions(const DirectionSource& from, const DirectionTa
 
   const Image samples = encode_directions(map, to.coding, to.sample);
   stats.max_abs_n_dot_t = max_abs_n_dot_t(decode_directions(to.file.name, samples, to.coding, to.sample), n);
-  const bool vectors = to.coding.form == DirectionForm::kVector;
-  write_image(to.file, to.type, to.sample, samples, vectors ? space_attributes(NormalSpace::kTangent) : Attributes{});
+  write_image(to.file, to.type, to.sample, samples, direction_attributes(to.coding.form));
   return stats;
 }
 

@@ -3,14 +3,16 @@
 #include <cmath>
 
 #include "burnish/core/error.h"
-#include "burnish/core/number_text.h"
 #include "burnish/core/parallel.h"
 #include "burnish/core/samples.h"
+#include "burnish/core/texel_check.h"
 #include "burnish/core/wording.h"
 #include "burnish/normal/normal_space.h"
 
 namespace burnish {
 namespace {
+
+const std::string kAttribute = "burnish:direction";
 
 int channels_of(DirectionForm form) { return form == DirectionForm::kAngle ? 1 : form == DirectionForm::kFlow ? 2 : 3; }
 
@@ -28,17 +30,26 @@ void require_channels(const std::string& name, int channels, DirectionForm form)
 }
 
 void require_values(const std::string& name, const Image& samples, DirectionForm form) {
-  for (std::size_t i = 0; i < samples.texels(); i++) {
-    const float* s = samples.data.data() + i * samples.channels;
-    const auto fail = [&](const std::string& wanted, float got) {
-      throw file_error(ErrorKind::kMalformed, name,
-                       "expected " + wanted + ", got " + number_text(got) + " at column " +
-                           std::to_string(i % samples.width) + ", row " + std::to_string(i / samples.width));
-    };
-    for (int c = 0; c < channels_of(form); c++)
-      if (!std::isfinite(s[c])) fail("finite directions", s[c]);
-    if (form == DirectionForm::kKhr && !(s[2] >= 0 && s[2] <= 1)) fail("a strength from 0 to 1", s[2]);
-  }
+  const auto require = [&](int first, int last, const auto& holds, const char* wanted) {
+    require_samples(name, samples.data, samples.width, samples.channels, first, last, holds, wanted);
+  };
+  require(
+      0, channels_of(form), [](float v) { return std::isfinite(v); }, "finite directions");
+  if (form == DirectionForm::kKhr)
+    require(
+        2, 3, [](float v) { return v >= 0 && v <= 1; }, "a strength from 0 to 1");
+}
+
+// What the file says it holds, where it says so: another form would be taken for vectors that it has not.
+void require_recorded(const ImageReader& reader, DirectionForm form) {
+  const std::string expected = std::string("expected directions as ") + name(form) + ", got ";
+  if (const std::optional<std::string> function = reader.text("burnish:function"))
+    throw file_error(ErrorKind::kMalformed, reader.name(), expected + "a lookup table of " + excerpt(*function));
+  const std::optional<std::string> recorded = reader.text(kAttribute);
+  if (!recorded || *recorded == name(form)) return;
+  const std::string writes = form == DirectionForm::kFlow ? "" : std::string(" and writes it --to ") + name(form);
+  throw file_error(ErrorKind::kMalformed, reader.name(),
+                   expected + excerpt(*recorded) + ": burnish-tangents reads it --from " + excerpt(*recorded) + writes);
 }
 
 }  // namespace
@@ -64,15 +75,21 @@ const char* name(DirectionForm form) {
   }
 }
 
+Attributes direction_attributes(DirectionForm form) {
+  Attributes attributes{{kAttribute, name(form)}};
+  if (form == DirectionForm::kVector)
+    for (const auto& attribute : space_attributes(NormalSpace::kTangent)) attributes.push_back(attribute);
+  return attributes;
+}
+
 DirectionMap read_direction_map(const FileRef& file, const DirectionCoding& coding) {
   ImageReader reader(file);
+  require_recorded(reader, coding.form);
   require_channels(file.name, reader.channels(), coding.form);
   require_encodable(coding, reader.sample_type(), file.name);
   if (recorded_space(reader) == NormalSpace::kObject)
     throw file_error(ErrorKind::kMalformed, file.name, "expected directions in tangent space, got object space");
-  Image samples(reader.width(), reader.height(), reader.channels());
-  reader.read_rows(0, samples.height, samples.data.data());
-  return decode_directions(file.name, samples, coding, reader.sample_type());
+  return decode_directions(file.name, reader.read_level(0), coding, reader.sample_type());
 }
 
 DirectionMap decode_directions(const std::string& name, const Image& samples, const DirectionCoding& coding,

@@ -7,6 +7,9 @@
 //
 // Vectors are biased in integers and signed in floats, as normals are (normal/coding.h); khr is biased in both, as it
 // is defined. A chosen encoding holds for each of them, and so does the other green.
+//
+// Files say which form they hold in the attribute burnish:direction; others, and TGA and BMP, are what they are said to
+// be.
 #pragma once
 
 #include <string>
@@ -41,8 +44,12 @@ float rounding_error(SampleType sample);
 // kUnsupported for the signed encoding in integers: they hold no negative values.
 void require_encodable(const DirectionCoding& coding, SampleType sample, const std::string& name);
 
-// kMalformed for fewer channels than the form has, for angles in more than one, NaN, infinity, strengths beyond [0,1],
-// and for a file that says its vectors are in object space; kUnsupported as above.
+// For the writer of a map of that form.
+Attributes direction_attributes(DirectionForm form);
+
+// kMalformed for a file that says it holds another form, or a lookup table; for fewer channels than the form has, for
+// angles in more than one, NaN, infinity, strengths beyond [0,1], and for a file that says its vectors are in object
+// space; kUnsupported as above.
 DirectionMap read_direction_map(const FileRef& file, const DirectionCoding& coding);
 
 // Unit vectors as samples of that type; in the plane of the map for angle and khr. Without strengths khr has 1.

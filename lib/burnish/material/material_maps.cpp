@@ -30,8 +30,9 @@ MaterialMaps read_material_maps(const MaterialSource& source) {
   SharedSize size;
   const auto read = [&](const char* name, const ParameterSource& from, bool zero_too) {
     Parameter parameter = read_parameter(name, from, size);
-    parameter.require([&](float v) { return std::isfinite(v) && (v > 0 || (zero_too && v == 0)); },
-                      zero_too ? "a number of at least 0" : "a number above 0");
+    const std::string above = zero_too ? "of at least 0" : "above 0";
+    parameter.require([](float v) { return !std::isinf(v); }, "a finite number " + above);
+    parameter.require([&](float v) { return v > 0 || (zero_too && v == 0); }, "a number " + above);
     return parameter;
   };
   if (source.model != MaterialModel::kBanks) {

@@ -6,6 +6,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/image_chain.h"
+#include "burnish/core/texel_check.h"
 #include "burnish/core/wording.h"
 
 namespace burnish {
@@ -56,16 +57,6 @@ std::array<float, 4> numbers_of(const ImageReader& reader, const std::string& at
   return out;
 }
 
-void require_finite(const Image& level, const std::string& name) {
-  for (std::size_t i = 0; i < level.data.size(); i++)
-    if (!std::isfinite(level.data[i])) {
-      const std::size_t texel = i / level.channels;
-      throw file_error(ErrorKind::kMalformed, name,
-                       "expected finite values, got NaN or infinity at column " + std::to_string(texel % level.width) +
-                           ", row " + std::to_string(texel / level.width));
-    }
-}
-
 MaterialTexture read_texture(ImageReader& reader, MaterialModel model, char which) {
   const std::string alpha = meaning_of_alpha(model, which);
   if (const int channels = alpha.empty() ? 3 : 4; reader.channels() != channels)
@@ -80,7 +71,10 @@ MaterialTexture read_texture(ImageReader& reader, MaterialModel model, char whic
   texture.scale = numbers_of(reader, kScale, 1);
   texture.bias = numbers_of(reader, kBias, 0);
   texture.levels = read_image_chain(reader);
-  for (const Image& level : texture.levels) require_finite(level, reader.name());
+  for (const Image& level : texture.levels)
+    require_samples(
+        reader.name(), level.data, level.width, level.channels, 0, level.channels,
+        [](float v) { return std::isfinite(v); }, "finite values");
   return texture;
 }
 
@@ -105,7 +99,8 @@ std::string material_file(const std::string& prefix, char which) {
   const std::string all = prefix + "_" + which + ".exr, .png or .tif";
   if (found.empty()) throw file_error(ErrorKind::kIo, all, "there is none");
   if (found.size() > 1)
-    throw file_error(ErrorKind::kUsage, all, "expected one of them, got '" + joined(found, "' and '") + "'");
+    throw file_error(ErrorKind::kUsage, all,
+                     "expected one of them, got '" + joined(found, "' and '") + "': remove or rename one of them");
   return found.front();
 }
 

@@ -59,9 +59,7 @@ SurfaceNormals read_surface_normals(const FileRef& file, const NormalCoding& cod
   NormalReader reader(file, coding);
   if (recorded_space(reader.image()) == NormalSpace::kObject)
     throw file_error(ErrorKind::kMalformed, file.name, "expected normals in tangent space, got object space");
-  SurfaceNormals normals{reader.width(), reader.height(), {}, 0, 0};
-  normals.vectors.resize(std::size_t(normals.width) * normals.height);
-  reader.read_rows(0, normals.height, normals.vectors.data());
+  SurfaceNormals normals{reader.width(), reader.height(), reader.read_all(), 0, 0};
   normals.invalid_texels = reader.invalid_texels();
   normals.error = rounding_error(reader.image().sample_type());
   return normals;

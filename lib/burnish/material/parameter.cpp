@@ -1,22 +1,29 @@
 #include "burnish/material/parameter.h"
 
+#include <cmath>
+#include <utility>
+
 #include "burnish/core/image_io.h"
 #include "burnish/core/number_text.h"
+#include "burnish/core/texel_check.h"
+#include "burnish/core/whole_image.h"
 
 namespace burnish {
 
 void Parameter::require(const std::function<bool(float)>& holds, const std::string& wanted) const {
-  const auto message = [&](float got) { return "expected " + wanted + ", got " + number_text(got); };
-  if (values.empty() && !holds(number)) throw Error(ErrorKind::kUsage, name + ": " + message(number));
-  for (std::size_t i = 0; i < values.size(); i++)
-    if (!holds(values[i]))
-      throw file_error(
-          ErrorKind::kMalformed, name,
-          message(values[i]) + " at column " + std::to_string(i % width) + ", row " + std::to_string(i / width));
+  if (!values.empty()) return require_samples(name, values, width, 1, 0, 1, holds, wanted);
+  if (!holds(number)) throw Error(ErrorKind::kUsage, name + ": expected " + wanted + ", got " + number_text(number));
 }
 
 Parameter read_parameter(const std::string& name, const ParameterSource& source, SharedSize& size) {
-  if (source.map.empty()) return {name, source.number, {}, 0};
+  if (source.map.empty()) {
+    const float number = float(source.number);
+    const bool lost = std::isfinite(source.number) && (!std::isfinite(number) || (number == 0 && source.number != 0));
+    if (lost)
+      throw Error(ErrorKind::kUsage,
+                  name + ": expected a number within single precision, got " + number_text(source.number));
+    return {name, number, {}, 0};
+  }
   ImageReader reader(source.map);
   size.take(reader.width(), reader.height(), source.map.name);
   const auto first = [&](const char* attribute, float otherwise) {
@@ -24,15 +31,15 @@ Parameter read_parameter(const std::string& name, const ParameterSource& source,
     return numbers && !numbers->empty() ? float(numbers->front()) : otherwise;
   };
   const float scale = first("burnish:scale", 1), bias = first("burnish:bias", 0);
-  Parameter parameter{source.map.name, 0, {}, reader.width()};
-  parameter.values.reserve(std::size_t(reader.width()) * reader.height());
-  std::vector<float> row(std::size_t(reader.width()) * reader.channels());
-  for (int y = 0; y < reader.height(); y++) {
-    reader.read_rows(y, 1, row.data());
-    for (int x = 0; x < reader.width(); x++)
-      parameter.values.push_back(row[std::size_t(x) * reader.channels()] * scale + bias);
-  }
-  return parameter;
+  const std::size_t width = std::size_t(reader.width()), channels = std::size_t(reader.channels());
+  std::vector<float> band;
+  std::vector<float> values =
+      read_whole<float>(source.map.name, reader.height(), width, [&](int first, int count, float* out) {
+        band.resize(width * channels * std::size_t(count));
+        reader.read_rows(first, count, band.data());
+        for (std::size_t i = 0; i < width * std::size_t(count); i++) out[i] = band[i * channels] * scale + bias;
+      });
+  return {source.map.name, 0, std::move(values), reader.width()};
 }
 
 }  // namespace burnish

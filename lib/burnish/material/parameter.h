@@ -13,7 +13,7 @@ namespace burnish {
 // How it is given. Of a map the first channel counts: integers as [0,1], floats as they are, and true values are
 // stored · burnish:scale + burnish:bias where the file says so.
 struct ParameterSource {
-  float number = 0;
+  double number = 0;
   FileRef map;  // goes before the number, where there is one
 };
 
@@ -28,7 +28,7 @@ struct Parameter {
   void require(const std::function<bool(float)>& holds, const std::string& wanted) const;
 };
 
-// kMalformed as SharedSize.
+// kMalformed as SharedSize; kUsage for a number that single precision takes for 0 or infinity.
 Parameter read_parameter(const std::string& name, const ParameterSource& source, SharedSize& size);
 
 }  // namespace burnish

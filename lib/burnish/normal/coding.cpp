@@ -5,6 +5,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
+#include "burnish/core/whole_image.h"
 
 namespace burnish {
 namespace {
@@ -106,13 +107,16 @@ void NormalReader::read_rows(int first, int count, Vec3f* out) {
   invalid_ += invalid;
 }
 
+std::vector<Vec3f> NormalReader::read_all() {
+  return read_whole<Vec3f>(name(), height(), std::size_t(width()),
+                           [&](int first, int count, Vec3f* out) { read_rows(first, count, out); });
+}
+
 std::vector<Vec3f> read_normals(const FileRef& file, const NormalCoding& coding, int* width, int* height) {
   NormalReader reader(file, coding);
-  std::vector<Vec3f> out(std::size_t(reader.width()) * reader.height());
-  reader.read_rows(0, reader.height(), out.data());
   *width = reader.width();
   *height = reader.height();
-  return out;
+  return reader.read_all();
 }
 
 namespace {

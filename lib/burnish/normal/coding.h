@@ -44,6 +44,8 @@ class NormalReader {
 
   // Unit vectors of rows [first, first + count). Runs in parallel. kMalformed for NaN or infinity.
   void read_rows(int first, int count, Vec3f* out);
+  // All of them; kUnsupported where memory does not hold them.
+  std::vector<Vec3f> read_all();
   // One vector from its stored components, as read_rows does it; integers scaled to [0,1]. Sets `invalid` where it is
   // too short.
   Vec3f decode(float x, float y, float z, bool& invalid) const;
