@@ -179,8 +179,8 @@ TEST(RenderPalettePath, EveryModelAndBlendEqualsItsTwinOnAStretchedTurnedObject)
       s.materials[0] = {{}, {model}};
       ObjectAssets a = indexed_assets(s, 64, 2048, false);
       if (blend != Blend::kMaterial) {
-        a.base_colour.emplace(5, 3, 3);
-        for (std::size_t i = 0; i < a.base_colour->data.size(); i++) a.base_colour->data[i] = float(i % 7) / 7;
+        a.base_map.emplace(5, 3, 3);
+        for (std::size_t i = 0; i < a.base_map->data.size(); i++) a.base_map->data[i] = float(i % 7) / 7;
       }
       EXPECT_LE(largest_difference(s, a), 1e-6) << model_name << ", blend " << int(blend);
       const Frame looked_up = render(s, a, RenderPath::kPalette), expanded = render(s, a, RenderPath::kPaletteExpanded);
