@@ -7,12 +7,10 @@
 namespace burnish {
 namespace {
 
-constexpr double kLeastLightCosine = 0.3, kLeastViewCosine = 0.695;
+constexpr double kLeastLightCosine = 0.3, kMostViewAngle_rad = 0.8;
 
-// Of unit coordinates; uniform over the cap.
-Vec3d in_cap(double least_cosine, double height, double turn) {
-  const double z = 1 - height * (1 - least_cosine), r = std::sqrt(1 - z * z), angle_rad = 2 * kPi * turn;
-  return {r * std::cos(angle_rad), r * std::sin(angle_rad), z};
+Vec3d direction(double cosine, double sine, double turn) {
+  return {sine * std::cos(2 * kPi * turn), sine * std::sin(2 * kPi * turn), cosine};
 }
 
 void put(Vec3d v, float (&to)[3][PairBlock::kPairs], int i) {
@@ -34,7 +32,9 @@ std::vector<PairBlock> direction_pairs(std::size_t blocks) {
         coordinate = 0.5 + step * double(index);
         coordinate -= std::floor(coordinate);
       }
-      const Vec3d l = in_cap(kLeastLightCosine, u[0], u[1]), v = in_cap(kLeastViewCosine, u[2], u[3]);
+      const double light_cosine = 1 - u[0] * (1 - kLeastLightCosine), view_rad = kMostViewAngle_rad * u[2] * u[2];
+      const Vec3d l = direction(light_cosine, std::sqrt(1 - light_cosine * light_cosine), u[1]);
+      const Vec3d v = direction(std::cos(view_rad), std::sin(view_rad), u[3]);
       put(l, block.l, i), put(v, block.v, i), put(normalized(l + v), block.h, i);
     }
   return out;

@@ -1,7 +1,8 @@
 // Lights and views that reflectance is compared at: a fixed set, well spread.
 //
-// Lights lie within 72.5° of (0,0,1) and views within 46°, each uniformly by solid angle: the first points of Roberts'
-// additive recurrence in four dimensions, which fills them evenly however many there are.
+// Lights lie within 72.5° of (0,0,1), uniformly by solid angle; views within 46°, at 46° u² with u uniform: they crowd
+// round the normal, since lobes that fit there fit further out too. The first points of Roberts' additive recurrence in
+// four dimensions, which fills them evenly however many there are.
 // Source: Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018).
 #pragma once
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "burnish/material/lobe_kernels.h"
 
@@ -51,15 +52,26 @@ Lobe moved(const Lobe& o, const Shape& by, AlphaRange range) {
 class Fit {
  public:
   Fit(MaterialModel model, std::span<const PairBlock> pairs, const float* wanted, const Lobe& start, AlphaRange range)
-      : model_(model), pairs_(pairs), wanted_(wanted), start_(start), range_(range) {
-    for (std::size_t i = 0; i < pairs.size() * PairBlock::kPairs; i++) wanted_square_ += double(wanted[i]) * wanted[i];
+      : model_(model),
+        pairs_(pairs),
+        start_(start),
+        range_(range),
+        scale_(pairs.size() * PairBlock::kPairs),
+        scaled_(scale_.size()) {
     constexpr double kHold = 0.1;  // ε
+    constexpr float kFloor = 1 / 20.f;
+    const float brightness = float(1 / peak(model, start));
+    for (std::size_t i = 0; i < scale_.size(); i++) {
+      scale_[i] = 1 / std::sqrt(std::sqrt(wanted[i] * brightness + kFloor));
+      scaled_[i] = scale_[i] * wanted[i];
+      scaled_square_ += double(scaled_[i]) * scaled_[i];
+    }
     hold_ = kHold * peak(model, start) * peak(model, start);
     const double width = std::sqrt(2 * unit_variance(model, start.exponent));
     unit_ = {width * start.alpha_y, width * start.alpha_x, 0.5, 0.5, 0.5};
   }
 
-  LobeFit run() const {
+  Lobe run() const {
     constexpr int kMostSteps = 20;
     constexpr double kEnough = 1e-3, kMostDamping = 1e4;
     State now = at(moved(start_, {}, range_));
@@ -77,7 +89,7 @@ class Fit {
         damping *= 8;
       }
     }
-    return {now.lobe, now.error_square};
+    return now.lobe;
   }
 
  private:
@@ -85,20 +97,18 @@ class Fit {
     Lobe lobe;
     Shape away;  // from the start, in units
     LobeSums sums;
-    double cost, error_square;
+    double cost;
   };
 
   State at(const Lobe& lobe) const {
-    State s{lobe, {}, kernels::lobe_sums(model_, lobe, pairs_, wanted_), 0, 0};
-    const double k_start = start_.k_s, gg = s.sums.gg, gw = s.sums.gw;
-    s.sums.gg += hold_ / (k_start * k_start), s.sums.gw += hold_ / k_start;
-    const double k_s = s.lobe.k_s = s.sums.gw / s.sums.gg;
+    State s{lobe, {}, kernels::lobe_sums(model_, lobe, pairs_, scale_.data(), scaled_.data()), 0};
+    // k_s is held to its start as one pair more would hold it.
+    s.sums.gg += hold_ / (start_.k_s * start_.k_s), s.sums.gw += hold_ / start_.k_s;
+    s.lobe.k_s = s.sums.gw / s.sums.gg;
+    s.cost = scaled_square_ + hold_ - s.lobe.k_s * s.sums.gw;
     const auto& [t, b, n] = start_.frame;
     s.away = {-dot(lobe.frame.n, b), dot(lobe.frame.n, t), dot(lobe.frame.t, b),
               std::log(lobe.alpha_x / start_.alpha_x), std::log(lobe.alpha_y / start_.alpha_y)};
-    s.error_square = std::max(0.0, wanted_square_ - 2 * k_s * gw + k_s * k_s * gg);
-    const double k_away = k_s / k_start - 1;
-    s.cost = s.error_square + hold_ * k_away * k_away;
     for (int i = 0; i < kShape; i++) {
       s.away[i] /= unit_[i];
       s.cost += hold_ * s.away[i] * s.away[i];
@@ -121,10 +131,10 @@ class Fit {
 
   MaterialModel model_;
   std::span<const PairBlock> pairs_;
-  const float* wanted_;
   const Lobe& start_;
   AlphaRange range_;
-  double wanted_square_ = 0, hold_ = 0;
+  std::vector<float> scale_, scaled_;  // what a pair's differences are multiplied by; the wanted L_o so multiplied
+  double scaled_square_ = 0, hold_ = 0;
   Shape unit_{};
 };
 
@@ -132,8 +142,14 @@ class Fit {
 
 LobeFit fit_lobe(MaterialModel model, std::span<const PairBlock> pairs, const float* wanted, const Lobe& start,
                  AlphaRange range) {
-  if (!(start.k_s > 0)) return {start, 0};
-  return Fit(model, pairs, wanted, start, range).run();
+  LobeFit fit{start.k_s > 0 ? Fit(model, pairs, wanted, start, range).run() : start, 0};
+  std::vector<float> got(pairs.size() * PairBlock::kPairs);
+  kernels::reflectance(model, fit.lobe, pairs, got.data());
+  for (std::size_t i = 0; i < got.size(); i++) {
+    const double off = double(got[i]) - wanted[i];
+    fit.error_square += off * off;
+  }
+  return fit;
 }
 
 }  // namespace burnish

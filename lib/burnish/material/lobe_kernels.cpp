@@ -37,7 +37,7 @@ template <typename Model>
 // Every lane has sums of its own, so that their order does not depend on the vector unit.
 template <typename Model>
 [[gnu::always_inline]] inline LobeSums sums_of(const Lobe& lobe, std::span<const PairBlock> pairs,
-                                               const float* __restrict wanted) {
+                                               const float* __restrict scale, const float* __restrict wanted) {
   const Axes f(lobe.frame);
   const Model model(lobe);
   float gg[kLanes] = {}, gw[kLanes] = {}, gd[kShape][kLanes] = {}, wd[kShape][kLanes] = {};
@@ -48,14 +48,14 @@ template <typename Model>
       const Cosines c = cosines(f, p, i);
       const float b_l = cosine(f.b, p.l, i), b_v = cosine(f.b, p.v, i);
       const Response r = model(c);
-      g[i] = r.value;
+      g[i] = scale[i] * r.value;
       // A turn ω of the frame moves t, b and n by ω × t, ω × b, ω × n.
-      d[0][i] = c.n_h * r.by_b_h - c.b_h * r.by_n_h - b_l * r.by_n_l - b_v * r.by_n_v;
-      d[1][i] = c.t_h * r.by_n_h - c.n_h * r.by_t_h + c.t_l * r.by_n_l - c.n_l * r.by_t_l + c.t_v * r.by_n_v -
-                c.n_v * r.by_t_v;
-      d[2][i] = c.b_h * r.by_t_h - c.t_h * r.by_b_h + b_l * r.by_t_l + b_v * r.by_t_v;
-      d[3][i] = r.by_ln_alpha_x;
-      d[4][i] = r.by_ln_alpha_y;
+      d[0][i] = scale[i] * (c.n_h * r.by_b_h - c.b_h * r.by_n_h - b_l * r.by_n_l - b_v * r.by_n_v);
+      d[1][i] = scale[i] * (c.t_h * r.by_n_h - c.n_h * r.by_t_h + c.t_l * r.by_n_l - c.n_l * r.by_t_l +
+                            c.t_v * r.by_n_v - c.n_v * r.by_t_v);
+      d[2][i] = scale[i] * (c.b_h * r.by_t_h - c.t_h * r.by_b_h + b_l * r.by_t_l + b_v * r.by_t_v);
+      d[3][i] = scale[i] * r.by_ln_alpha_x;
+      d[4][i] = scale[i] * r.by_ln_alpha_y;
     }
     for (int i = 0; i < kLanes; i++) gg[i] += g[i] * g[i], gw[i] += g[i] * wanted[i];
     for (int j = 0; j < kShape; j++) {
@@ -63,7 +63,7 @@ template <typename Model>
       for (int k = 0; k <= j; k++)
         for (int i = 0; i < kLanes; i++) dd[j][k][i] += d[j][i] * d[k][i];
     }
-    wanted += kLanes;
+    scale += kLanes, wanted += kLanes;
   }
   const auto total = [](const float(&lanes)[kLanes]) {
     double sum = 0;
@@ -89,14 +89,14 @@ BURNISH_VECTOR_UNITS void blinn_phong_reflectance(const Lobe& o, Pairs p, float*
 BURNISH_VECTOR_UNITS void banks_reflectance(const Lobe& o, Pairs p, float* out) {
   reflectance_of<BanksResponse>(o, p, out);
 }
-BURNISH_VECTOR_UNITS LobeSums ward_sums(const Lobe& o, Pairs p, const float* wanted) {
-  return sums_of<WardResponse>(o, p, wanted);
+BURNISH_VECTOR_UNITS LobeSums ward_sums(const Lobe& o, Pairs p, const float* scale, const float* wanted) {
+  return sums_of<WardResponse>(o, p, scale, wanted);
 }
-BURNISH_VECTOR_UNITS LobeSums blinn_phong_sums(const Lobe& o, Pairs p, const float* wanted) {
-  return sums_of<BlinnPhongResponse>(o, p, wanted);
+BURNISH_VECTOR_UNITS LobeSums blinn_phong_sums(const Lobe& o, Pairs p, const float* scale, const float* wanted) {
+  return sums_of<BlinnPhongResponse>(o, p, scale, wanted);
 }
-BURNISH_VECTOR_UNITS LobeSums banks_sums(const Lobe& o, Pairs p, const float* wanted) {
-  return sums_of<BanksResponse>(o, p, wanted);
+BURNISH_VECTOR_UNITS LobeSums banks_sums(const Lobe& o, Pairs p, const float* scale, const float* wanted) {
+  return sums_of<BanksResponse>(o, p, scale, wanted);
 }
 
 }  // namespace
@@ -112,14 +112,14 @@ void reflectance(MaterialModel model, const Lobe& lobe, Pairs pairs, float* out)
   }
 }
 
-LobeSums lobe_sums(MaterialModel model, const Lobe& lobe, Pairs pairs, const float* wanted) {
+LobeSums lobe_sums(MaterialModel model, const Lobe& lobe, Pairs pairs, const float* scale, const float* wanted) {
   switch (model) {
     case MaterialModel::kBanks:
-      return banks_sums(lobe, pairs, wanted);
+      return banks_sums(lobe, pairs, scale, wanted);
     case MaterialModel::kBlinnPhong:
-      return blinn_phong_sums(lobe, pairs, wanted);
+      return blinn_phong_sums(lobe, pairs, scale, wanted);
     default:
-      return ward_sums(lobe, pairs, wanted);
+      return ward_sums(lobe, pairs, scale, wanted);
   }
 }
 

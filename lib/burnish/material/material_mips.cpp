@@ -38,7 +38,7 @@ Survey survey(const MaterialTextures& textures, const std::string& name) {
 
 // So many that some see the peak of the narrowest lobe.
 std::size_t pair_blocks(double least_area) {
-  return std::size_t(std::clamp(6 / least_area / PairBlock::kPairs, 16.0, 64.0));
+  return std::size_t(std::clamp(12 / least_area / PairBlock::kPairs, 32.0, 64.0));
 }
 
 // Goes up all levels at once, a row at a time: of each level three rows of means are kept, as many as one row above

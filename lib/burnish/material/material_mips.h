@@ -19,7 +19,7 @@ namespace burnish {
 struct MaterialMipLevel {
   int width, height;
   double rms_deg;  // between its normals and the renormalised mean of the base normals under each texel
-  // RMS of its L_o minus the mean of the base's, over the RMS of that mean, over all texels and pairs; to 1e-3.
+  // RMS of its L_o minus the mean of the base's, over the RMS of that mean, over all texels and pairs.
   double relative_error;
 };
 
