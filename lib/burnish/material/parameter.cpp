@@ -26,11 +26,11 @@ Parameter read_parameter(const std::string& name, const ParameterSource& source,
   }
   ImageReader reader(source.map);
   size.take(reader.width(), reader.height(), source.map.name);
-  const auto first = [&](const char* attribute, float otherwise) {
+  const auto number = [&](const char* attribute, float otherwise) {
     const auto numbers = reader.numbers(attribute);
     return numbers && !numbers->empty() ? float(numbers->front()) : otherwise;
   };
-  const float scale = first("burnish:scale", 1), bias = first("burnish:bias", 0);
+  const float scale = number("burnish:scale", 1), bias = number("burnish:bias", 0);
   const std::size_t width = std::size_t(reader.width()), channels = std::size_t(reader.channels());
   std::vector<float> band;
   std::vector<float> values =
