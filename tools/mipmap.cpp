@@ -1,99 +1,115 @@
 // burnish-mipmap: the mip chain of a map.
+#include "mipmap/mipmap.h"
+
+#include <filesystem>
 
 #include "burnish/core/error.h"
-#include "burnish/core/mip.h"
-#include "burnish/palette/index_mips.h"
-#include "cli/options.h"
-#include "cli/tool.h"
+#include "burnish/core/wording.h"
+#include "burnish/material/material_textures.h"
 
 using namespace burnish;
 using namespace burnish::cli;
 
 namespace {
 
-// A printf-like name with one %d, or %02d and the like, filled in.
-std::string level_name(const std::string& pattern, int level) {
-  const std::size_t percent = pattern.find('%'), d = pattern.find('d', percent);
-  const std::string width = d == std::string::npos ? "?" : pattern.substr(percent + 1, d - percent - 1);
-  if (width.size() > 2 || width.find_first_not_of("0123456789") != std::string::npos ||
-      pattern.find('%', percent + 1) != std::string::npos)
-    throw CLI::ValidationError("--split", "expected a name with one %d for the level, got '" + pattern + "'");
-  std::string number = std::to_string(level);
-  if (!width.empty() && number.size() < std::size_t(std::stoi(width)))
-    number.insert(0, std::stoi(width) - number.size(), width[0] == '0' ? '0' : ' ');
-  return pattern.substr(0, percent) + number + pattern.substr(d + 1);
+void add_options(CLI::App& app, MipmapOptions& o) {
+  app.add_option("MAP", o.input,
+                 "Indexed normal map or normal map, '-' being standard input, or the PREFIX of material textures")
+      ->required();
+  o.output.add_to(app);
+  app.get_option("--output")
+      ->required(false)
+      ->description(
+          "File to write: EXR, PNG, KTX2 or DDS of an indexed map; EXR, or of one level PNG or TIFF, of a normal "
+          "map; a PREFIX of EXR files of material textures. '-' is standard output");
+  add_choice<std::optional<MapKind>>(app, "--kind", o.kind,
+                                     {{"indexed", MapKind::kIndexed},
+                                      {"normal", MapKind::kNormal},
+                                      {"material", MapKind::kMaterial},
+                                      {"ptm", MapKind::kPtm},
+                                      {"colour", MapKind::kColour}},
+                                     "What MAP is (default: told from it); ptm and colour are not there yet");
+  app.add_option("--levels", o.levels, "How many levels, with the base (default all)")
+      ->check(in_range(1, 32))
+      ->type_name("N");
+  app.add_option("--split", o.split, "Write one file a level, named by a pattern such as 'name_%d.png'")
+      ->type_name("PATTERN");
+  add_normal_coding(app, o.coding, true);
+  const auto add = [&](const char* group, const char* flag, std::string& value, const char* type, const char* help) {
+    return app.add_option(flag, value, help)->type_name(type)->group(group);
+  };
+  const char *indexed = "Indexed normal map", *normal = "Normal map", *material = "Material textures";
+  app.get_option("--palette-output")->group(indexed);
+  add(indexed, "--palette", o.palette, "FILE", "The palette of a MAP that holds indices only, as every DDS does");
+  auto* from =
+      add_choice<MipAverage>(app, "--from", o.average, {{"level", MipAverage::kLevel}, {"base", MipAverage::kBase}},
+                             "Average the quantized level below (default) or the quantized base")
+          ->group(indexed);
+  add(indexed, "--source", o.source, "NORMAL", "Average these unquantized normals of the base instead")->excludes(from);
+  auto* roughness = add(normal, "--roughness", o.roughness, "V",
+                        "Roughness alpha of the base, a number or a map; coarser levels add what their normals lose");
+  auto* beside = add(normal, "--roughness-output", o.roughness_output, "FILE",
+                     "The chain of alpha, written as the normal map's; a pattern writes one file a level");
+  roughness->needs(beside);
+  beside->needs(roughness);
+  app.add_flag("--khr", o.khr, "Write PREFIX_khr and PREFIX_roughness too, for KHR_materials_anisotropy")
+      ->group(material);
 }
 
-// Kinds that are known and not there yet are no mistake of the caller's.
-void require_indexed(const std::string& kind) {
-  if (kind == "indexed") return;
-  for (const char* later : {"normal", "material", "ptm", "colour"})
-    if (kind == later) throw Error(ErrorKind::kUnsupported, "--kind " + kind + " is not there yet; there is indexed");
-  throw Error(ErrorKind::kUsage, "--kind: expected indexed, got '" + kind + "'");
+bool is_material_prefix(const std::string& input) {
+  if (input == "-" || std::filesystem::exists(input)) return false;
+  for (const FileType type : {FileType::kExr, FileType::kPng, FileType::kTiff})
+    if (std::filesystem::exists(material_file(input, 't', type))) return true;
+  return false;
+}
+
+MapKind kind_of(const FileRef& file) {
+  if (is_indexed_map(file) || has_own_palette(file)) return MapKind::kIndexed;
+  if (file.name.ends_with(".ptm")) return MapKind::kPtm;
+  const ImageReader reader(file);
+  if (reader.text("burnish:ptm")) return MapKind::kPtm;
+  if (reader.text("burnish:model"))
+    throw file_error(ErrorKind::kUsage, file.name, "expected the PREFIX of material textures, got one of them");
+  if (reader.channels() >= 3) return MapKind::kNormal;
+  throw file_error(ErrorKind::kUsage, file.name,
+                   "expected --kind to say what it is, which " + counted(std::size_t(reader.channels()), "channel") +
+                       (reader.channels() == 1 ? " does not" : " do not"));
+}
+
+// Options that only one kind of map has a use for.
+void require_options_of(const CLI::App& app, MapKind kind) {
+  const std::tuple<const char*, MapKind, const char*> all[] = {
+      {"--from", MapKind::kIndexed, "indexed"},    {"--source", MapKind::kIndexed, "indexed"},
+      {"--palette", MapKind::kIndexed, "indexed"}, {"--palette-output", MapKind::kIndexed, "indexed"},
+      {"--roughness", MapKind::kNormal, "normal"}, {"--khr", MapKind::kMaterial, "material"}};
+  for (const auto& [flag, of, word] : all)
+    if (kind != of && app.count(flag)) throw Error(ErrorKind::kUsage, std::string(flag) + " goes with --kind " + word);
+}
+
+Json mip(Tool& tool, MipmapOptions& o) {
+  if (o.output.path.empty() && o.split.empty()) throw Error(ErrorKind::kUsage, "--output or --split is required");
+  if (o.kind == MapKind::kMaterial || (!o.kind && is_material_prefix(o.input))) {
+    require_options_of(tool.app(), MapKind::kMaterial);
+    return mip_material(tool, o);
+  }
+  const FileRef file = tool.read(o.input);
+  const MapKind kind = o.kind ? *o.kind : kind_of(file);
+  for (const auto& [later, word] : {std::pair{MapKind::kPtm, "ptm"}, {MapKind::kColour, "colour"}})
+    if (kind == later) throw Error(ErrorKind::kUnsupported, std::string("--kind ") + word + " is not there yet");
+  require_options_of(tool.app(), kind);
+  return kind == MapKind::kIndexed ? mip_indices(tool, o, file) : mip_normals(tool, o, file);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tool tool({"burnish-mipmap",
-             "The mip chain of an indexed normal map: each coarser texel is the best entry for those below it.",
+  Tool tool({"burnish-mipmap", "The mip chain of an indexed normal map, a normal map, or the textures of a material.",
              "  burnish-mipmap rocks_q.exr -o rocks_m.exr\n"
              "  burnish-mipmap rocks_q.exr -o rocks_m.dds --palette-output rocks_p.exr\n"
-             "  burnish-mipmap rocks_q.png --split 'rocks_%d.png' --source rocks_n.png"});
-  CLI::App& app = tool.app();
-  std::string input, palette, source, split, kind = "indexed";
-  IndexedOutput output;
-  IndexMipOptions options;
-  int levels = 0;
-
-  app.add_option("MAP", input, "Indexed normal map; '-' is standard input")->required();
-  app.add_option("--palette", palette, "The palette of a MAP that holds indices only, as every DDS does")
-      ->type_name("FILE");
-  output.add_to(app);
-  app.get_option("--output")->required(false);
-  app.add_option("--kind", kind, "What MAP is; so far only indexed normal maps have mip chains (default)")
-      ->type_name("indexed");
-  auto* from = add_choice<MipAverage>(app, "--from", options.average,
-                                      {{"level", MipAverage::kLevel}, {"base", MipAverage::kBase}},
-                                      "Average the quantized level below (default) or the quantized base");
-  app.add_option("--source", source, "Average these unquantized normals of the base instead")
-      ->type_name("NORMAL")
-      ->excludes(from);
-  app.add_option("--levels", levels, "How many levels, with the base (default all)")
-      ->check(in_range(1, 32))
-      ->type_name("N");
-  app.add_option("--split", split, "Write one file a level, named by a pattern such as 'name_%d.png'")
-      ->type_name("PATTERN");
-  add_normal_coding(app, options.coding, true);
-
-  return tool.run(argc, argv, [&]() -> Json {
-    if (output.path.empty() && split.empty()) throw Error(ErrorKind::kUsage, "--output or --split is required");
-    require_indexed(kind);
-    const FileType type = output.path.empty() ? FileType::kExr : output.type();
-    const FileType split_type = split.empty() ? FileType::kExr : output.type_of(level_name(split, 0), "--split");
-    const bool with_palette = !output.palette_path.empty();
-    const FileType palette_type = with_palette ? output.palette_type() : type;
-    const FileRef file = tool.read(input);
-    const FileRef palette_beside = palette.empty() ? FileRef() : tool.read(palette);
-    if (!source.empty()) options.source = tool.read(source);
-    options.levels = levels;
-    const FileRef chain = output.path.empty() ? FileRef() : tool.write(output.path);
-    IndexedMap map = read_indexed_map(file, options.coding.green, palette_beside);
-    if (!output.path.empty()) output.require_format(type, map.palette.normals.size(), output.path);
-    if (!split.empty()) output.require_format(split_type, map.palette.normals.size(), level_name(split, 0));
-    const int count = levels ? levels : level_count(map.width(), map.height());
-    if (!chain.empty()) require_can_hold_levels(chain, type, count);
-    std::vector<FileRef> parts;
-    for (int l = 0; l < count && !split.empty(); l++) parts.push_back(tool.write(level_name(split, l)));
-    const FileRef palette_file = with_palette ? tool.write(output.palette_path) : FileRef();
-    const std::vector<MipLevelStats> stats = build_index_mips(map, options, tool.progress());
-    if (!chain.empty()) write_indexed_map(chain, type, map);
-    if (!palette_file.empty()) write_palette(palette_file, palette_type, map.palette);
-    for (std::size_t l = 0; l < parts.size(); l++)
-      write_indexed_map(parts[l], split_type, {map.palette, {map.levels[l]}});
-    Json list = Json::array();
-    for (const MipLevelStats& s : stats)
-      list.push_back({{"width", s.width}, {"height", s.height}, {"rms_deg", s.rms_deg}});
-    return {{"levels", list}};
-  });
+             "  burnish-mipmap rocks_q.png --split 'rocks_%d.png' --source rocks_n.png\n"
+             "  burnish-mipmap rocks_n.png -o rocks_m.exr --roughness 0.3 --roughness-output rocks_r.exr\n"
+             "  burnish-mipmap brushed -o brushed_m -d float"});
+  MipmapOptions options;
+  add_options(tool.app(), options);
+  return tool.run(argc, argv, [&] { return mip(tool, options); });
 }

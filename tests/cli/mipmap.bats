@@ -156,12 +156,45 @@ PYTHON
   succeeds burnish-mipmap q.exr -o a.exr
   succeeds burnish-mipmap q.exr -o b.exr --kind indexed
   same_bytes a.exr b.exr
-  refuses 1 "--kind: expected indexed, got 'picture'" burnish-mipmap q.exr -o x.exr --kind picture
-  for later in normal material ptm colour; do
+  refuses 1 "--kind: expected indexed|normal|material|ptm|colour, got 'picture'" burnish-mipmap q.exr -o x.exr --kind picture
+  for later in ptm colour; do
     refuses 5 "--kind $later is not there yet" burnish-mipmap q.exr -o x.exr --kind $later
   done
   succeeds burnish-mipmap --help
-  grep -q -- '--kind indexed ' out
+  grep -q -- '--kind indexed|normal|material|ptm|colour' out
+}
+
+@test "the kind is told from the map" {
+  inputs
+  burnish-material --model ward --alpha-x 0.2 --alpha-y 0.4 --normal n.png --encode float --extension exr -o m
+  burnish-mipmap q.exr -o chain.exr --palette-output p.exr
+  for map in q.exr q.png chain.exr n.png m; do
+    case $map in n.png) kind=normal ;; m) kind=material ;; *) kind=indexed ;; esac
+    mkdir -p told given
+    succeeds burnish-mipmap $map -o told/x.exr
+    succeeds burnish-mipmap $map -o given/x.exr --kind $kind
+    diff -r told given
+    rm -r told given
+  done
+  refuses 1 "'ids.png': expected --kind to say what it is, which 1 channel does not" burnish-mipmap ids.png -o x.exr
+  refuses 1 "'m_t.exr': expected the PREFIX of material textures, got one of them" burnish-mipmap m_t.exr -o x.exr
+  refuses 2 "'none'" burnish-mipmap none -o x.exr
+  refuses 3 "expected an indexed normal map" burnish-mipmap p.exr -o x.exr
+  cp q.exr old.ptm
+  succeeds burnish-mipmap old.ptm -o x.exr  # its bytes say what it is
+  cp n.png old.ptm
+  refuses 5 "--kind ptm is not there yet" burnish-mipmap old.ptm -o x.exr
+}
+
+@test "options of another kind are refused" {
+  inputs
+  refuses 1 "--roughness goes with --kind normal" burnish-mipmap q.exr -o x.exr --roughness 0.2 --roughness-output y.exr
+  refuses 1 "--khr goes with --kind material" burnish-mipmap q.exr -o x.exr --khr
+  for option in "--from base" "--source n.png" "--palette q.exr" "--palette-output y.exr"; do
+    # shellcheck disable=SC2086
+    refuses 1 "${option% *} goes with --kind indexed" burnish-mipmap n.png -o x.exr $option
+  done
+  refuses 1 "--khr goes with --kind material" burnish-mipmap n.png -o x.exr --khr
 }
 
 @test "what cannot be written: exit 5" {

@@ -6,14 +6,17 @@
 
 namespace burnish {
 
+void require_chain(const FileRef& file, int width, int height, int levels) {
+  if (const int all = level_count(width, height); levels != 1 && levels != all)
+    throw file_error(ErrorKind::kUnsupported, file.name,
+                     "EXR holds one level or all " + std::to_string(all) + ", not " + std::to_string(levels));
+}
+
 void write_image_chain(const FileRef& file, SampleType sample, const std::vector<Image>& levels,
                        const Attributes& attributes) {
   if (levels.size() == 1) return write_image(file, FileType::kExr, sample, levels[0], attributes);
   require_can_hold(FileType::kExr, sample, file.name);
-  const int all = level_count(levels[0].width, levels[0].height);
-  if (int(levels.size()) != all)
-    throw file_error(ErrorKind::kUnsupported, file.name,
-                     "EXR holds one level or all " + std::to_string(all) + ", not " + std::to_string(levels.size()));
+  require_chain(file, levels[0].width, levels[0].height, int(levels.size()));
   detail::CheckedOutput out(file, FileType::kExr);
   for (std::size_t l = 0; l < levels.size(); l++) {
     const Image& level = levels[l];

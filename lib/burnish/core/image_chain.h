@@ -10,8 +10,11 @@
 
 namespace burnish {
 
-// EXR only. The levels are of sizes and number as above, and have the same channels. kUnsupported for integer samples
-// and for chains that end early.
+// kUnsupported where an EXR does not hold so many levels of an image of that size.
+void require_chain(const FileRef& file, int width, int height, int levels);
+
+// EXR only. The levels are of sizes and number as above, and have the same channels. kUnsupported for integer samples,
+// and as require_chain().
 void write_image_chain(const FileRef& file, SampleType sample, const std::vector<Image>& levels,
                        const Attributes& attributes = {});
 

@@ -1,0 +1,47 @@
+// The mip chain of a normal map, and of the roughness beside it.
+//
+// Each texel is the renormalised mean n' = m/‖m‖ of the base normals under it, m = Σ w n with the weights of
+// core/mip.h; where all cancel out, (0,0,1). What the mean loses, the roughness gains: the variance of the slope that a
+// mean's length tells of, σ² = (1 − ‖m‖)/‖m‖ along either axis, adds to the squares of the base's α,
+//
+//   α'² = Σ w α² + 2 σ².
+//
+// Sources: Toksvig, "Mipmapping normal maps" (2005), for σ²; Olano & Baker, "LEAN mapping" (2010), for α² = 2σ² and
+// that variances add.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "burnish/normal/coding.h"
+#include "burnish/normal/normal_space.h"
+
+namespace burnish {
+
+struct NormalMips {
+  std::vector<Image> means;          // m of each level, 3 channels; the base's are unit vectors
+  std::optional<NormalSpace> space;  // what the file says
+  std::size_t invalid_texels = 0;    // shorter than 1e-3: (0,0,1)
+
+  int width(int level) const { return means[level].width; }
+  int height(int level) const { return means[level].height; }
+};
+
+// `levels` with the base, 0: all. kUsage for more than there are; else as NormalReader. Memory: 16 bytes a texel.
+NormalMips build_normal_mips(const FileRef& file, const NormalCoding& coding, int levels);
+
+// The unit vectors of a level as a file of such samples holds them, integers in [0,1]; and the RMS angle between those
+// and the means.
+struct EncodedNormals {
+  Image image;  // 3 channels
+  double rms_deg;
+};
+EncodedNormals encoded_level(const NormalMips& mips, int level, const NormalCoding& coding, SampleType sample);
+
+// α of every level, one channel. `base`: α of the base's size, at least 0.
+std::vector<Image> roughness_levels(const NormalMips& mips, Image base);
+// One channel of α, the first of a file, integers as [0,1]. kMalformed where it has another size than the normals,
+// and for negative values, NaN and infinity.
+Image read_roughness(const FileRef& file, const NormalMips& mips);
+
+}  // namespace burnish

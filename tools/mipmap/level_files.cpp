@@ -1,0 +1,48 @@
+#include "burnish/core/error.h"
+#include "burnish/core/image_chain.h"
+#include "mipmap/mipmap.h"
+
+namespace burnish::cli {
+
+std::string level_name(const std::string& pattern, int level, const std::string& option) {
+  const std::size_t percent = pattern.find('%'), d = pattern.find('d', percent);
+  const std::string width = d == std::string::npos ? "?" : pattern.substr(percent + 1, d - percent - 1);
+  if (width.size() > 2 || width.find_first_not_of("0123456789") != std::string::npos ||
+      pattern.find('%', percent + 1) != std::string::npos)
+    throw CLI::ValidationError(option, "expected a name with one %d for the level, got '" + pattern + "'");
+  std::string number = std::to_string(level);
+  if (!width.empty() && number.size() < std::size_t(std::stoi(width)))
+    number.insert(0, std::stoi(width) - number.size(), width[0] == '0' ? '0' : ' ');
+  return pattern.substr(0, percent) + number + pattern.substr(d + 1);
+}
+
+LevelFiles::LevelFiles(Tool& tool, const ImageOutput& output, int levels)
+    : type_(output.type()), sample_(output.sample()), levels_(levels), chain_(true), files_{tool.write(output.path)} {
+  if (type_ != FileType::kExr && levels > 1)
+    throw file_error(ErrorKind::kUnsupported, files_[0].name,
+                     std::string(burnish::name(type_)) + " holds one level, not " + std::to_string(levels) +
+                         " (EXR holds all; --split writes one file a level)");
+}
+
+LevelFiles::LevelFiles(Tool& tool, const std::string& pattern, const std::string& option, const ImageOutput& output,
+                       int levels)
+    : type_(output.as.type_of(level_name(pattern, 0, option), option)),
+      sample_(output.sample_or(default_sample_type(type_))),
+      levels_(levels),
+      chain_(false) {
+  require_can_hold(type_, sample_, level_name(pattern, 0, option));
+  for (int l = 0; l < levels; l++) files_.push_back(tool.write(level_name(pattern, l, option)));
+}
+
+void LevelFiles::write(const std::function<Image(int)>& image, const Attributes& attributes) const {
+  if (!chain_) {
+    for (int l = 0; l < levels_; l++) write_image(files_[l], type_, sample_, image(l), attributes);
+    return;
+  }
+  if (type_ != FileType::kExr) return write_image(files_[0], type_, sample_, image(0), attributes);
+  std::vector<Image> levels;
+  for (int l = 0; l < levels_; l++) levels.push_back(image(l));
+  write_image_chain(files_[0], sample_, levels, attributes);
+}
+
+}  // namespace burnish::cli
