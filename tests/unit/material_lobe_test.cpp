@@ -150,6 +150,8 @@ TEST(Lobe, TexelsThatAreNone) {
       ErrorKind::kMalformed, frame);
   EXPECT_ERROR(lobe_at(textures([](MaterialTextures& m) { m.n.levels[0].at(0, 1)[3] = -1; }), 0, 0, 1),
                ErrorKind::kMalformed, "column 0, row 1: expected k_s and N of at least 0");
+  EXPECT_ERROR(lobe_at(textures([](MaterialTextures& m) { m.b.levels[0].at(0, 0)[1] = 1e8f; }), 0, 0, 0),
+               ErrorKind::kMalformed, "column 0, row 0: expected alphas of at least 1e-6");
 }
 
 TEST(LobeMoments, OfOneLobeAreThatLobe) {

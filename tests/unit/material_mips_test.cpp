@@ -146,6 +146,33 @@ TEST(MaterialMips, BumpsAlongOneAxisWidenTheLobeThere) {
   EXPECT_NEAR(top.k_s, 1, 0.1);
 }
 
+// Bumps stretch lobes along any axis; t stays within 45° of the base's all the same.
+TEST(MaterialMips, TangentsKeepTheirSide) {
+  for (const MaterialModel model : {kWard, kBlinnPhong}) {
+    MaterialTextures m = textures_of(model, 32, 32, [&](int x, int y) {
+      const double phase = 0.9 * x * std::cos(0.15 * y) + 0.9 * y * std::sin(0.15 * x);
+      return lobe_of(model, frame_of(0.3 * std::sin(phase), 0.3 * std::cos(1.7 * phase)), 0.15, 0.2, 1);
+    });
+    build(m);
+    for (int l = 1; l < 6; l++)
+      for (int y = 0; y < 32 >> l; y++)
+        for (int x = 0; x < 32 >> l; x++) {
+          const LocalFrame f = lobe_at(m, l, x, y).frame;
+          EXPECT_GT(f.t.x, 0.65) << name(model) << l;
+          EXPECT_GT(dot(cross(f.n, f.t), f.b), 0.999);
+        }
+  }
+}
+
+TEST(MaterialMips, LobesTooNarrowToBeSeenKeepTheirMoments) {
+  MaterialTextures m =
+      textures_of(kWard, 2, 1, [](int x, int) { return lobe_of(kWard, frame_of(0.1, x * 1e-4), 1e-5, 2e-6, 1); });
+  build(m);
+  const Lobe top = lobe_at(m, 1, 0, 0);
+  EXPECT_NEAR(length(top.frame.n - frame_of(0.1, 0.5e-4).n), 0, 1e-3);
+  EXPECT_NEAR(top.k_s, 1, 1e-2);
+}
+
 TEST(MaterialMips, TheSameForAnyThreadCount) {
   const auto made = [] {
     MaterialTextures m = bumps(kWard, 45, 31);

@@ -5,6 +5,8 @@
 namespace burnish {
 namespace {
 
+constexpr double kLeastAlpha = 1e-6;  // the peak of ward's lobe is 10¹¹ then; floats have room for squares of it
+
 void put(MaterialTexture& texture, int level, int x, int y, Vec3d v, double alpha = 0) {
   float* to = texture.levels[level].at(x, y);
   const double values[4] = {v.x, v.y, v.z, alpha};
@@ -37,6 +39,7 @@ Lobe lobe_at(const MaterialTextures& textures, int level, int x, int y) {
       o.exponent = textures.b.alpha(level, x, y);
     }
   }
+  if (!(o.alpha_x >= kLeastAlpha && o.alpha_y >= kLeastAlpha)) fail("expected alphas of at least 1e-6");
   if (!(o.k_s >= 0 && o.exponent >= 0)) fail("expected k_s and N of at least 0");
   return o;
 }

@@ -32,8 +32,8 @@ inline double unit_energy(MaterialModel model, const Lobe& o) {
   return model == MaterialModel::kBlinnPhong ? o.alpha_x * o.alpha_y / (o.exponent + 2) : 1;
 }
 
-// A texel of material textures, and back. lobe_at() throws Error, kMalformed, where its vectors make no frame or k_s or
-// N is below 0; the message begins with the texel.
+// A texel of material textures, and back. lobe_at() throws Error, kMalformed, where its vectors make no frame, an α is
+// below 10⁻⁶, or k_s or N below 0; the message begins with the texel.
 Lobe lobe_at(const MaterialTextures& textures, int level, int x, int y);
 void put_lobe(const Lobe& lobe, MaterialTextures& textures, int level, int x, int y);
 

@@ -23,6 +23,7 @@ class LobeMoments {
   // Of weights that sum to 1. Its t is the axis nearest to the mean of theirs.
   Lobe lobe(MaterialModel model) const;
   Vec3d mean_normal() const { return mean_normal_; }  // not renormalised
+  Vec3d tangent() const { return tangent_; }          // Σ w t
 
  private:
   Vec3d second_times(Vec3d v) const { return second_[0] * v.x + second_[1] * v.y + second_[2] * v.z; }

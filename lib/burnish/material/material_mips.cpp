@@ -132,9 +132,8 @@ class Pyramid {
   }
 
   void fit(const LobeMoments& moments, const float* wanted, int l, int x, int y, Sums& sums) {
-    const Lobe start = moments.lobe(textures_.model);
-    const LobeFit found = fit_lobe(textures_.model, pairs_, wanted, start, range_);
-    put_lobe(turned_towards(textures_.model, found.lobe, start.frame.t), textures_, l, x, y);
+    const LobeFit found = fit_lobe(textures_.model, pairs_, wanted, moments.lobe(textures_.model), range_);
+    put_lobe(turned_towards(textures_.model, found.lobe, moments.tangent()), textures_, l, x, y);
     for (std::size_t p = 0; p < wanted_; p++) sums.wanted_square += double(wanted[p]) * wanted[p];
     sums.error_square += found.error_square;
     const double off_rad = angle_rad(found.lobe.frame.n, moments.mean_normal());

@@ -2,7 +2,8 @@
 //
 // Each coarser texel is the lobe whose reflectance is nearest to the mean reflectance of the base texels under it
 // (lobe_fit.h), starting from the lobe that has their mean normal and widths (lobe_moments.h). Means use the weights of
-// core/mip.h. Those of reflectance add up pair by pair, so that each level is averaged from the one below.
+// core/mip.h. Those of reflectance add up pair by pair, so that each level is averaged from the one below. t is the
+// axis of the lobe that lies nearest to the mean of the base's, so that textures can be filtered.
 //
 // blinn-phong keeps the mean N (weighted by energy): where N is not small, N and α say the same. banks has no α: what
 // it cannot say of a mean, normal, direction and k_s are fitted to all the same.
