@@ -40,4 +40,14 @@ LightMatrix light_matrix(const std::vector<Vec3d>& lights, double ridge, const s
   return m;
 }
 
+std::array<PtmCoefficients<double>, kPtmTerms> uniform_normal_matrix() {
+  constexpr double u2 = 1 / 3.0, u4 = 1 / 5.0, u2v2 = 1 / 15.0;  // odd powers vanish
+  return {{{u4, u2v2, 0, 0, 0, u2},
+           {u2v2, u4, 0, 0, 0, u2},
+           {0, 0, u2v2, 0, 0, 0},
+           {0, 0, 0, u2, 0, 0},
+           {0, 0, 0, 0, u2, 0},
+           {u2, u2, 0, 0, 0, 1}}};
+}
+
 }  // namespace burnish

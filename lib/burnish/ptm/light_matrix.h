@@ -23,4 +23,8 @@ struct LightMatrix {
 // coefficients: repeated, or all on one conic through (u, v).
 LightMatrix light_matrix(const std::vector<Vec3d>& lights, double ridge, const std::string& name);
 
+// G, a light, of lights uniform over the solid angle of the hemisphere, for maps whose own lights are not known: the
+// means of products of terms, such as 1/3 of u² and 1/15 of u²v².
+std::array<PtmCoefficients<double>, kPtmTerms> uniform_normal_matrix();
+
 }  // namespace burnish
