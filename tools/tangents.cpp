@@ -3,7 +3,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
-#include "burnish/material/convert_directions.h"
+#include "burnish/material/directions/convert_directions.h"
 #include "cli/direction_options.h"
 #include "cli/tool.h"
 

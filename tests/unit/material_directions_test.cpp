@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "burnish/material/convert_directions.h"
-#include "burnish/material/orthonormal_directions.h"
+#include "burnish/material/directions/convert_directions.h"
+#include "burnish/material/directions/orthonormal_directions.h"
 #include "expect_error.h"
 #include "on_threads.h"
 #include "palette_fixture.h"

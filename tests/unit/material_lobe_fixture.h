@@ -6,7 +6,7 @@
 #include "burnish/brdf/banks.h"
 #include "burnish/brdf/blinn_phong.h"
 #include "burnish/brdf/ward.h"
-#include "burnish/material/lobe.h"
+#include "burnish/material/mips/lobe.h"
 
 namespace burnish {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "burnish/material/lobe_maps.h"
-#include "burnish/material/material_mips.h"
+#include "burnish/material/mips/lobe_maps.h"
+#include "burnish/material/mips/material_mips.h"
 #include "expect_error.h"
 #include "material_lobe_fixture.h"
 

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "burnish/core/vector_math.h"
-#include "burnish/material/lobe.h"
-#include "burnish/material/lobe_fit.h"
-#include "burnish/material/lobe_kernels.h"
-#include "burnish/material/lobe_moments.h"
+#include "burnish/material/mips/lobe.h"
+#include "burnish/material/mips/lobe_fit.h"
+#include "burnish/material/mips/lobe_kernels.h"
+#include "burnish/material/mips/lobe_moments.h"
 #include "expect_error.h"
 #include "material_lobe_fixture.h"
 

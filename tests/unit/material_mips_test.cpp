@@ -1,4 +1,4 @@
-#include "burnish/material/material_mips.h"
+#include "burnish/material/mips/material_mips.h"
 
 #include <gtest/gtest.h>
 

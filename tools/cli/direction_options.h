@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "burnish/material/direction_map.h"
+#include "burnish/material/directions/direction_map.h"
 #include "cli/options.h"
 
 namespace burnish::cli {

@@ -5,8 +5,8 @@
 #include "burnish/core/image_chain.h"
 #include "burnish/core/mip.h"
 #include "burnish/core/wording.h"
-#include "burnish/material/lobe_maps.h"
-#include "burnish/material/material_mips.h"
+#include "burnish/material/mips/lobe_maps.h"
+#include "burnish/material/mips/material_mips.h"
 #include "mipmap/mipmap.h"
 
 namespace burnish::cli {

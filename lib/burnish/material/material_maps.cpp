@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "burnish/material/orthonormal_directions.h"
+#include "burnish/material/directions/orthonormal_directions.h"
 
 namespace burnish {
 namespace {

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "burnish/core/parameter.h"
 #include "burnish/core/vec3.h"
-#include "burnish/material/direction_map.h"
+#include "burnish/material/directions/direction_map.h"
 #include "burnish/material/material_textures.h"
-#include "burnish/material/parameter.h"
 
 namespace burnish {
 

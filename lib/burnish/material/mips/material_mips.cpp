@@ -1,4 +1,4 @@
-#include "burnish/material/material_mips.h"
+#include "burnish/material/mips/material_mips.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include "burnish/core/error.h"
 #include "burnish/core/mip.h"
 #include "burnish/core/parallel.h"
-#include "burnish/material/lobe_fit.h"
-#include "burnish/material/lobe_kernels.h"
-#include "burnish/material/lobe_moments.h"
+#include "burnish/material/mips/lobe_fit.h"
+#include "burnish/material/mips/lobe_kernels.h"
+#include "burnish/material/mips/lobe_moments.h"
 
 namespace burnish {
 namespace {

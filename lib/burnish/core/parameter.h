@@ -1,4 +1,4 @@
-// A parameter of a material: one number for all texels, or a map of them.
+// A parameter of a surface: one number for all texels, or a map of them.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "burnish/core/file_ref.h"
-#include "burnish/material/shared_size.h"
+#include "burnish/core/shared_size.h"
 
 namespace burnish {
 

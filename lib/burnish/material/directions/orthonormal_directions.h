@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/material/direction_map.h"
+#include "burnish/material/directions/direction_map.h"
 #include "burnish/normal/coding.h"
 
 namespace burnish {

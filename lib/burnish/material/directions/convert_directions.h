@@ -1,8 +1,8 @@
 // One direction map made into another: read, turned, made orthonormal, written.
 #pragma once
 
-#include "burnish/material/direction_map.h"
-#include "burnish/material/direction_turns.h"
+#include "burnish/material/directions/direction_map.h"
+#include "burnish/material/directions/direction_turns.h"
 
 namespace burnish {
 

@@ -16,8 +16,8 @@
 
 #include <span>
 
-#include "burnish/material/direction_pairs.h"
-#include "burnish/material/lobe.h"
+#include "burnish/material/mips/direction_pairs.h"
+#include "burnish/material/mips/lobe.h"
 
 namespace burnish {
 

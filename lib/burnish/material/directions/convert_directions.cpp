@@ -1,12 +1,12 @@
-#include "burnish/material/convert_directions.h"
+#include "burnish/material/directions/convert_directions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "burnish/core/error.h"
-#include "burnish/material/orthonormal_directions.h"
-#include "burnish/material/shared_size.h"
+#include "burnish/core/shared_size.h"
+#include "burnish/material/directions/orthonormal_directions.h"
 
 namespace burnish {
 namespace {

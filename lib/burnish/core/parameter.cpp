@@ -1,4 +1,4 @@
-#include "burnish/material/parameter.h"
+#include "burnish/core/parameter.h"
 
 #include <cmath>
 #include <utility>

@@ -1,7 +1,7 @@
 // Turns of a direction map: the image and its vectors together, texel for texel.
 #pragma once
 
-#include "burnish/material/direction_map.h"
+#include "burnish/material/directions/direction_map.h"
 
 namespace burnish {
 

@@ -1,4 +1,4 @@
-#include "burnish/material/lobe_moments.h"
+#include "burnish/material/mips/lobe_moments.h"
 
 #include <algorithm>
 

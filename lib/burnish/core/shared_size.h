@@ -1,4 +1,4 @@
-// The size that maps of one material share: that of the first.
+// The size that maps of one surface share: that of the first.
 #pragma once
 
 #include <string>

@@ -1,41 +1,17 @@
-#include "burnish/material/lobe_fit.h"
+#include "burnish/material/mips/lobe_fit.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <vector>
 
-#include "burnish/material/lobe_kernels.h"
+#include "burnish/material/mips/lobe_kernels.h"
 
 namespace burnish {
 namespace {
 
 using kernels::kShape;
 using kernels::LobeSums;
-using Shape = std::array<double, kShape>;  // turns about t, b and n; ln α_x, ln α_y
-
-// A lower triangle.
-using Triangle = double[kShape][kShape];
-
-// a x = b by Cholesky's decomposition, which replaces a; false where a is not positive definite.
-bool solve(Triangle& a, const Shape& b, Shape& x) {
-  for (int i = 0; i < kShape; i++)
-    for (int j = 0; j <= i; j++) {
-      for (int m = 0; m < j; m++) a[i][j] -= a[i][m] * a[j][m];
-      if (i != j) a[i][j] /= a[j][j];
-      else if (a[i][i] > 0) a[i][i] = std::sqrt(a[i][i]);
-      else return false;
-    }
-  for (int i = 0; i < kShape; i++) {
-    x[i] = b[i];
-    for (int m = 0; m < i; m++) x[i] -= a[i][m] * x[m];
-    x[i] /= a[i][i];
-  }
-  for (int i = kShape - 1; i >= 0; i--) {
-    for (int m = i + 1; m < kShape; m++) x[i] -= a[m][i] * x[m];
-    x[i] /= a[i][i];
-  }
-  return true;
-}
+using Shape = Eigen::Matrix<double, kShape, 1>;  // turns about t, b and n; ln α_x, ln α_y
 
 // The lobe turned and widened, by no more than a first-order step is good for.
 Lobe moved(const Lobe& o, const Shape& by, AlphaRange range) {
@@ -68,13 +44,13 @@ class Fit {
     }
     hold_ = kHold * peak(model, start) * peak(model, start);
     const double width = std::sqrt(2 * unit_variance(model, start.exponent));
-    unit_ = {width * start.alpha_y, width * start.alpha_x, 0.5, 0.5, 0.5};
+    unit_ << width * start.alpha_y, width * start.alpha_x, 0.5, 0.5, 0.5;
   }
 
   Lobe run() const {
     constexpr int kMostSteps = 20;
     constexpr double kEnough = 1e-3, kMostDamping = 1e4;
-    State now = at(moved(start_, {}, range_));
+    State now = at(moved(start_, Shape::Zero(), range_));
     double damping = 1e-2;
     for (int step = 0; step < kMostSteps && damping < kMostDamping; step++) {
       Shape by;
@@ -101,14 +77,14 @@ class Fit {
   };
 
   State at(const Lobe& lobe) const {
-    State s{lobe, {}, kernels::lobe_sums(model_, lobe, pairs_, scale_.data(), scaled_.data()), 0};
+    State s{lobe, Shape::Zero(), kernels::lobe_sums(model_, lobe, pairs_, scale_.data(), scaled_.data()), 0};
     // k_s is held to its start as one pair more would hold it.
     s.sums.gg += hold_ / (start_.k_s * start_.k_s), s.sums.gw += hold_ / start_.k_s;
     s.lobe.k_s = s.sums.gw / s.sums.gg;
     s.cost = scaled_square_ + hold_ - s.lobe.k_s * s.sums.gw;
     const auto& [t, b, n] = start_.frame;
-    s.away = {-dot(lobe.frame.n, b), dot(lobe.frame.n, t), dot(lobe.frame.t, b),
-              std::log(lobe.alpha_x / start_.alpha_x), std::log(lobe.alpha_y / start_.alpha_y)};
+    s.away << -dot(lobe.frame.n, b), dot(lobe.frame.n, t), dot(lobe.frame.t, b),
+        std::log(lobe.alpha_x / start_.alpha_x), std::log(lobe.alpha_y / start_.alpha_y);
     for (int i = 0; i < kShape; i++) {
       s.away[i] /= unit_[i];
       s.cost += hold_ * s.away[i] * s.away[i];
@@ -118,15 +94,17 @@ class Fit {
 
   // The step downhill, k_s following each; false where there is none.
   bool descent(const State& s, double damping, Shape& by) const {
-    Triangle a;
+    Eigen::Matrix<double, kShape, kShape> a = decltype(a)::Zero();  // its lower triangle counts
     Shape down;
     const double k = s.lobe.k_s;
     for (int i = 0; i < kShape; i++) {
       down[i] = k * (s.sums.wd[i] - k * s.sums.gd[i]) - hold_ * s.away[i] / unit_[i];
-      for (int j = 0; j <= i; j++) a[i][j] = k * k * (s.sums.dd[i][j] - s.sums.gd[i] * s.sums.gd[j] / s.sums.gg);
-      a[i][i] = (a[i][i] + hold_ / (unit_[i] * unit_[i])) * (1 + damping);
+      for (int j = 0; j <= i; j++) a(i, j) = k * k * (s.sums.dd[i][j] - s.sums.gd[i] * s.sums.gd[j] / s.sums.gg);
+      a(i, i) = (a(i, i) + hold_ / (unit_[i] * unit_[i])) * (1 + damping);
     }
-    return solve(a, down, by);
+    const Eigen::LLT<decltype(a)> factor(a);
+    by = factor.solve(down);
+    return factor.info() == Eigen::Success;
   }
 
   MaterialModel model_;
@@ -135,7 +113,7 @@ class Fit {
   AlphaRange range_;
   std::vector<float> scale_, scaled_;  // what a pair's differences are multiplied by; the wanted L_o so multiplied
   double scaled_square_ = 0, hold_ = 0;
-  Shape unit_{};
+  Shape unit_;
 };
 
 }  // namespace

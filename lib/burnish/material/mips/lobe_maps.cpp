@@ -1,10 +1,10 @@
-#include "burnish/material/lobe_maps.h"
+#include "burnish/material/mips/lobe_maps.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "burnish/core/error.h"
-#include "burnish/material/lobe.h"
+#include "burnish/material/mips/lobe.h"
 
 namespace burnish {
 namespace {

@@ -1,4 +1,4 @@
-#include "burnish/material/lobe.h"
+#include "burnish/material/mips/lobe.h"
 
 #include "burnish/core/error.h"
 

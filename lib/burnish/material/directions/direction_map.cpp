@@ -1,4 +1,4 @@
-#include "burnish/material/direction_map.h"
+#include "burnish/material/directions/direction_map.h"
 
 #include <cmath>
 

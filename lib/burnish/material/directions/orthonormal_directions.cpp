@@ -1,4 +1,4 @@
-#include "burnish/material/orthonormal_directions.h"
+#include "burnish/material/directions/orthonormal_directions.h"
 
 #include <algorithm>
 #include <optional>

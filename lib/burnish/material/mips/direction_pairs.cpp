@@ -1,4 +1,4 @@
-#include "burnish/material/direction_pairs.h"
+#include "burnish/material/mips/direction_pairs.h"
 
 #include <cmath>
 

@@ -9,7 +9,7 @@
 // energy. Source: Olano & Baker, "LEAN mapping" (2010), section 3.
 #pragma once
 
-#include "burnish/material/lobe.h"
+#include "burnish/material/mips/lobe.h"
 
 namespace burnish {
 

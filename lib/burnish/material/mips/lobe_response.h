@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "burnish/core/vector_math.h"
-#include "burnish/material/lobe.h"
+#include "burnish/material/mips/lobe.h"
 
 namespace burnish::kernels {
 

@@ -1,7 +1,7 @@
-#include "burnish/material/lobe_kernels.h"
+#include "burnish/material/mips/lobe_kernels.h"
 
 #include "burnish/core/vector_math.h"
-#include "burnish/material/lobe_response.h"
+#include "burnish/material/mips/lobe_response.h"
 
 namespace burnish::kernels {
 namespace {

@@ -1,4 +1,4 @@
-#include "burnish/material/direction_turns.h"
+#include "burnish/material/directions/direction_turns.h"
 
 #include <utility>
 
