@@ -1,11 +1,11 @@
 // burnish-lut: the functions that shading looks up, sampled into tables.
-#include <charconv>
 #include <filesystem>
 #include <tuple>
 
 #include "burnish/brdf/tables/table_c_header.h"
 #include "burnish/brdf/tables/table_error.h"
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 #include "cli/options.h"
 #include "cli/tool.h"
 
@@ -35,11 +35,9 @@ std::vector<std::string> split(const std::string& text, char at) {
 std::vector<double> numbers(const std::string& text, char between) {
   std::vector<double> values;
   for (const std::string& part : split(text, between)) {
-    const char* const last = part.data() + part.size();
-    double value = 0;
-    const auto [end, error] = std::from_chars(part.data(), last, value);
-    if (error != std::errc() || end != last) return {};
-    values.push_back(value);
+    const std::optional<double> value = number_in<double>(part);
+    if (!value) return {};
+    values.push_back(*value);
   }
   return values;
 }

@@ -1,29 +1,17 @@
 // burnish-material: material textures of a bumpy surface that reflects anisotropically.
-#include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
 #include "burnish/core/error.h"
 #include "burnish/material/bake_material.h"
 #include "cli/direction_options.h"
+#include "cli/number_or_map.h"
 #include "cli/tool.h"
 
 using namespace burnish;
 using namespace burnish::cli;
 
 namespace {
-
-// V of an option: a number, or a map's name.
-struct NumberOrMap {
-  std::string flag, text;
-  std::optional<double> number() const {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-  }
-};
 
 struct Options {
   std::string prefix, directions, normals;
@@ -80,19 +68,6 @@ void add_options(CLI::App& app, Options& o) {
   o.coding.add_to(app);
 }
 
-FileRef map_of(Tool& tool, const NumberOrMap& value) {
-  std::error_code unknown;
-  if (value.text != "-" && !std::filesystem::exists(value.text, unknown) && !unknown)
-    throw Error(ErrorKind::kIo, value.flag + ": expected a number or the file of a map, got '" + value.text + "'");
-  return tool.read(value.text);
-}
-
-void give(Tool& tool, const NumberOrMap& value, ParameterSource& to) {
-  if (value.text.empty()) return;
-  if (const std::optional<double> number = value.number()) to.number = *number;
-  else to.map = map_of(tool, value);
-}
-
 // Options that others rule out or ask for.
 void check(Tool& tool, const Options& o) {
   const MaterialModel model = o.source.model;
@@ -101,11 +76,11 @@ void check(Tool& tool, const Options& o) {
                 "--output: expected a prefix of three files' names, got '-': standard output takes one");
   const bool divided = model != MaterialModel::kBanks;
   for (const NumberOrMap* alpha : {&o.alpha_x, &o.alpha_y}) {
-    if (divided && alpha->text.empty())
+    if (divided && !alpha->given())
       throw Error(ErrorKind::kUsage, alpha->flag + " is required by --model " + name(model));
-    if (!divided && !alpha->text.empty()) tool.warn(alpha->flag + " is not used: banks has none");
+    if (!divided && alpha->given()) tool.warn(alpha->flag + " is not used: banks has none");
   }
-  if (model != MaterialModel::kBlinnPhong && !o.exponent.text.empty())
+  if (model != MaterialModel::kBlinnPhong && o.exponent.given())
     tool.warn(o.exponent.flag + " is not used: " + name(model) + " has none");
   if (o.bake.range == VectorRange::kFloat)
     for (const char* flag : {"--alpha-min", "--clamp-alpha"})
@@ -116,16 +91,18 @@ void check(Tool& tool, const Options& o) {
 
 void read_inputs(Tool& tool, Options& o) {
   MaterialSource& source = o.source;
-  if (source.model != MaterialModel::kBanks)
-    give(tool, o.alpha_x, source.alpha_x), give(tool, o.alpha_y, source.alpha_y);
-  give(tool, o.k_s, source.k_s);
-  if (source.model == MaterialModel::kBlinnPhong) give(tool, o.exponent, source.exponent);
+  const auto take = [&](const NumberOrMap& value, ParameterSource& to) {
+    if (value.given()) to = value.source(tool);
+  };
+  if (source.model != MaterialModel::kBanks) take(o.alpha_x, source.alpha_x), take(o.alpha_y, source.alpha_y);
+  take(o.k_s, source.k_s);
+  if (source.model == MaterialModel::kBlinnPhong) take(o.exponent, source.exponent);
   source.direction_coding = o.coding.directions(DirectionForm::kVector);
   if (const std::optional<double> angle_deg = o.angle.number()) {
     if (!std::isfinite(*angle_deg)) throw Error(ErrorKind::kUsage, "angle: expected a number, got " + o.angle.text);
     source.angle_rad = radians(*angle_deg);
-  } else if (!o.angle.text.empty()) {
-    source.directions = map_of(tool, o.angle);
+  } else if (o.angle.given()) {
+    source.directions = o.angle.map(tool);
     source.direction_coding.form = DirectionForm::kAngle;
   }
   if (!o.directions.empty()) source.directions = tool.read(o.directions);

@@ -46,7 +46,7 @@ void add_options(CLI::App& app, MipmapOptions& o) {
                              "Average the quantized level below (default) or the quantized base")
           ->group(indexed);
   add(indexed, "--source", o.source, "NORMAL", "Average these unquantized normals of the base instead")->excludes(from);
-  auto* roughness = add(normal, "--roughness", o.roughness, "V",
+  auto* roughness = add(normal, "--roughness", o.roughness.text, "V",
                         "Roughness alpha of the base, a number or a map; coarser levels add what their normals lose");
   auto* beside = add(normal, "--roughness-output", o.roughness_output, "FILE",
                      "The chain of alpha, written as the normal map's; a pattern writes one file a level");

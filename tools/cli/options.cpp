@@ -1,7 +1,6 @@
 #include "cli/options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -184,11 +183,9 @@ SampleType ImageOutput::sample_or(SampleType otherwise) const {
 
 std::pair<int, int> parse_texels(const std::string& flag, const std::string& text) {
   const auto side = [&](const std::string& part) {
-    int n = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), n);
-    if (error != std::errc() || end != part.data() + part.size() || n < 1)
-      throw CLI::ValidationError(flag, "expected texels such as 1024 or 1024x512, got '" + text + "'");
-    return n;
+    const std::optional<int> n = number_in<int>(part);
+    if (!n || *n < 1) throw CLI::ValidationError(flag, "expected texels such as 1024 or 1024x512, got '" + text + "'");
+    return *n;
   };
   const std::size_t x = text.find('x');
   const int width = side(text.substr(0, x));

@@ -8,6 +8,7 @@
 
 #include "burnish/normal/coding.h"
 #include "burnish/palette/index_mips.h"
+#include "cli/number_or_map.h"
 #include "cli/options.h"
 #include "cli/tool.h"
 
@@ -26,7 +27,8 @@ struct MipmapOptions {
   std::string palette, source;
   MipAverage average = MipAverage::kLevel;
   // Normal
-  std::string roughness, roughness_output;
+  NumberOrMap roughness{"--roughness", ""};
+  std::string roughness_output;
   // Material
   bool khr = false;
 };

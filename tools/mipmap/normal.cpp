@@ -1,7 +1,5 @@
 // The chain of a normal map, and of the roughness beside it.
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
@@ -11,18 +9,6 @@
 
 namespace burnish::cli {
 namespace {
-
-// --roughness as it is given: the base's alpha.
-Image base_roughness(Tool& tool, const std::string& given, const NormalMips& mips) {
-  float value = 0;
-  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), value);
-  if (error != std::errc() || end != given.data() + given.size()) return read_roughness(tool.read(given), mips);
-  if (!(value >= 0 && std::isfinite(value)))
-    throw Error(ErrorKind::kUsage, "roughness: expected alpha of at least 0, got " + given);
-  Image alpha(mips.width(0), mips.height(0));
-  std::ranges::fill(alpha.data, value);
-  return alpha;
-}
 
 // Nothing is clamped: integers hold alpha up to 1.
 void require_in_range(const std::vector<Image>& alphas, const LevelFiles& target) {
@@ -61,13 +47,14 @@ Json mip_normals(Tool& tool, const MipmapOptions& o, const FileRef& file) {
         },
         attributes);
   }
-  if (!o.roughness.empty()) {
+  if (o.roughness.given()) {
     const std::string option = "--roughness-output";
     const bool split = o.roughness_output.find('%') != std::string::npos;
     const ImageOutput to = image_output(o.roughness_output, "a roughness map");
     const LevelFiles target =
         split ? LevelFiles(tool, o.roughness_output, option, to, count) : LevelFiles(tool, to, count);
-    const std::vector<Image> alphas = roughness_levels(mips, base_roughness(tool, o.roughness, mips));
+    const Image base = read_roughness("roughness", o.roughness.source(tool), mips, file.name);
+    const std::vector<Image> alphas = roughness_levels(mips, base);
     require_in_range(alphas, target);
     target.write([&](int l) { return alphas[l]; }, {});
   }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "burnish/core/error.h"
 #include "burnish/core/mip.h"
 #include "burnish/core/mip_average.h"
 #include "burnish/core/parallel.h"
 #include "burnish/core/samples.h"
+#include "burnish/core/whole_image.h"
 
 namespace burnish {
 namespace {
@@ -23,16 +23,14 @@ NormalMips build_normal_mips(const FileRef& file, const NormalCoding& coding, in
   const int width = reader.width(), height = reader.height();
   levels = levels_to_make(width, height, levels);
   NormalMips mips;
-  Image& base = mips.means.emplace_back(width, height, 3);
-  constexpr int kRows = 64;
-  std::vector<Vec3f> band(std::size_t(width) * std::min(height, kRows));
-  for (int y = 0; y < height; y += kRows) {
-    const int rows = std::min(kRows, height - y);
-    reader.read_rows(y, rows, band.data());
-    float* to = base.row(y);
-    for (std::size_t i = 0; i < std::size_t(width) * rows; i++, to += 3)
-      to[0] = band[i].x, to[1] = band[i].y, to[2] = band[i].z;
-  }
+  std::vector<Vec3f> band;
+  Image& base = mips.means.emplace_back();
+  base.width = width, base.height = height, base.channels = 3;
+  base.data = read_whole<float>(file.name, height, std::size_t(width) * 3, [&](int first, int count, float* to) {
+    band.resize(std::size_t(width) * std::size_t(count));
+    reader.read_rows(first, count, band.data());
+    for (const Vec3f& n : band) *to++ = n.x, *to++ = n.y, *to++ = n.z;
+  });
   mips.space = recorded_space(reader.image());
   mips.invalid_texels = reader.invalid_texels();
   while (int(mips.means.size()) < levels) mips.means.push_back(next_mean_level(mips.means.back()));
@@ -82,18 +80,13 @@ std::vector<Image> roughness_levels(const NormalMips& mips, Image base) {
   return alphas;
 }
 
-Image read_roughness(const FileRef& file, const NormalMips& mips) {
-  ImageReader reader(file);
-  reader.require_size(mips.width(0), mips.height(0), "the normal map");
-  const Image all = read_image(file);
-  Image alpha(all.width, all.height);
-  for (std::size_t i = 0; i < alpha.data.size(); i++) {
-    const float value = alpha.data[i] = all.data[i * all.channels];
-    if (!(value >= 0 && std::isfinite(value)))
-      throw file_error(ErrorKind::kMalformed, file.name,
-                       "expected roughness of at least 0, got " + std::to_string(value) + " at column " +
-                           std::to_string(i % all.width) + ", row " + std::to_string(i / all.width));
-  }
+Image read_roughness(const std::string& name, const ParameterSource& source, const NormalMips& mips,
+                     const std::string& normals) {
+  SharedSize size{mips.width(0), mips.height(0), normals};
+  const Parameter given = read_parameter(name, source, size);
+  given.require([](float alpha) { return alpha >= 0 && std::isfinite(alpha); }, "alpha of at least 0");
+  Image alpha(size.width, size.height);
+  for (std::size_t i = 0; i < alpha.data.size(); i++) alpha.data[i] = given.at(i);
   return alpha;
 }
 

@@ -11,8 +11,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "burnish/core/parameter.h"
 #include "burnish/normal/coding.h"
 #include "burnish/normal/normal_space.h"
 
@@ -40,8 +42,9 @@ EncodedNormals encoded_level(const NormalMips& mips, int level, const NormalCodi
 
 // α of every level, one channel. `base`: α of the base's size, at least 0.
 std::vector<Image> roughness_levels(const NormalMips& mips, Image base);
-// One channel of α, the first of a file, integers as [0,1]. kMalformed where it has another size than the normals,
-// and for negative values, NaN and infinity.
-Image read_roughness(const FileRef& file, const NormalMips& mips);
+// α of the base. kUsage for a number below 0, NaN and infinity, which are called `name`; kMalformed for such texels of
+// a map, and where it has another size than the normals, which are called `normals`.
+Image read_roughness(const std::string& name, const ParameterSource& source, const NormalMips& mips,
+                     const std::string& normals);
 
 }  // namespace burnish

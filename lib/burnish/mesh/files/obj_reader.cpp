@@ -111,9 +111,8 @@ class ObjReader {
 
   // From 1, or from −1 backwards; the file may define later what it names.
   std::uint32_t resolve(std::size_t k, std::string_view text, std::string_view word) {
-    long long index = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
-    if (error != std::errc() || end != text.data() + text.size() || index == 0) refuse_corner(word);
+    long long index = number_in<long long>(text).value_or(0);
+    if (index == 0) refuse_corner(word);
     if (index < 0) index += (long long)(count(k)) + 1;
     if (index < 1) refuse_corner(word);
     if (std::size_t(index) > largest_[k].index) largest_[k] = {std::size_t(index), lines_.line()};

@@ -3,10 +3,11 @@
 // Lines end in \n, \r\n or \r, words are parted by blanks. Errors: kMalformed, "line 4: expected …, got …".
 #pragma once
 
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <string_view>
+
+#include "burnish/core/number_text.h"
 
 namespace burnish {
 
@@ -39,10 +40,9 @@ class TextLines {
   template <typename T>
   T integer(const char* expected) {
     const std::string_view w = word();
-    T value{};
-    const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
-    if (w.empty() || error != std::errc() || end != w.data() + w.size()) refuse_word(expected, w);
-    return value;
+    const std::optional<T> value = number_in<T>(w);
+    if (!value) refuse_word(expected, w);
+    return *value;
   }
   bool has_word() const;
   std::size_t words_left() const;
