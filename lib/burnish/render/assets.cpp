@@ -16,8 +16,7 @@ namespace {
 std::optional<NormalSpace> read_normal_map(const Object& object, ObjectAssets& assets) {
   NormalReader reader(object.normal_map, object.coding);
   assets.width = reader.width(), assets.height = reader.height();
-  assets.normals.resize(std::size_t(assets.width) * assets.height);
-  reader.read_rows(0, assets.height, assets.normals.data());
+  assets.normals = reader.read_all();
   assets.invalid_texels = reader.invalid_texels();
   return recorded_space(reader.image());
 }
@@ -73,8 +72,7 @@ std::shared_ptr<const MeshSurface> read_surface(const Object& object, std::size_
 // Linear RGB, and alpha where that is asked for.
 Image read_base_map(const BaseColour& base, bool with_alpha) {
   ImageReader reader(base.map);
-  Image stored(reader.width(), reader.height(), reader.channels());
-  reader.read_rows(0, stored.height, stored.data.data());
+  const Image stored = reader.read_level(0);
   const bool srgb = base.srgb.value_or(reader.integer());
   if (reader.channels() == 2)
     throw file_error(ErrorKind::kMalformed, base.map, "expected 1 channel, or 3 and more, got 2");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "burnish/core/error.h"
+#include "burnish/core/texel_check.h"
 #include "burnish/render/lookup.h"
 #include "burnish/render/transform.h"
 
@@ -11,14 +12,12 @@ namespace burnish {
 
 std::shared_ptr<const Panorama> Panorama::read(const FileRef& file) {
   ImageReader reader(file);
-  Image image(reader.width(), reader.height(), reader.channels());
-  reader.read_rows(0, image.height, image.data.data());
+  Image image = reader.read_level(0);
   if (image.channels == 2)
     throw file_error(ErrorKind::kMalformed, file.name, "expected a panorama of 1, 3 or 4 channels, got 2");
   // Below 0 there may be rings that a resampling filter left: they are taken as they are.
-  const auto bad = std::ranges::find_if(image.data, [](float x) { return !std::isfinite(x); });
-  if (bad != image.data.end())
-    throw file_error(ErrorKind::kMalformed, file.name, "expected finite light, got " + std::to_string(*bad));
+  const auto finite = [](float x) { return std::isfinite(x); };
+  require_samples(file.name, image.data, image.width, image.channels, 0, image.channels, finite, "finite light");
   Panorama panorama(std::move(image));
   panorama.integer_ = reader.integer();
   return std::make_shared<const Panorama>(std::move(panorama));
