@@ -1,4 +1,4 @@
-#include "burnish/ptm/ptm_file.h"
+#include "burnish/ptm/files/ptm_file.h"
 
 #include <gtest/gtest.h>
 

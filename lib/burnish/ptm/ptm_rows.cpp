@@ -16,4 +16,15 @@ void PtmInMemory::read(int first, int count, float* coefficients, float* colour)
   copy(ptm_.colour, ptm_.colours(), colour);
 }
 
+PtmInBytes::PtmInBytes(PtmBytes bytes) : PtmRows(bytes), bytes_(std::move(bytes)) {}
+
+void PtmInBytes::read(int first, int count, float* coefficients, float* colour) const {
+  const std::size_t row = std::size_t(bytes_.width) * bytes_.polynomials() * kPtmTerms;
+  const std::uint8_t* raw = bytes_.coefficients.data() + row * first;
+  for (std::size_t i = 0; i < row * count; i++)
+    coefficients[i] = float((raw[i] - bytes_.bias[i % kPtmTerms]) * bytes_.scale[i % kPtmTerms]);
+  const std::size_t colours = std::size_t(bytes_.width) * bytes_.colours();
+  std::copy_n(bytes_.colour.begin() + colours * first, colours * count, colour);
+}
+
 }  // namespace burnish

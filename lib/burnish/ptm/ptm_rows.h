@@ -13,6 +13,8 @@ class PtmRows {
 
   // Rows first … first + count − 1, as Ptm holds them. Callable from many threads.
   virtual void read(int first, int count, float* coefficients, float* colour) const = 0;
+  // What it is decoded from, where that is bytes in memory: they need no rounding. Null elsewhere.
+  virtual const PtmBytes* bytes() const { return nullptr; }
 
  protected:
   explicit PtmRows(const PtmShape& shape) : shape_(shape) {}
@@ -28,6 +30,17 @@ class PtmInMemory : public PtmRows {
 
  private:
   Ptm ptm_;
+};
+
+// Decoded as it is read.
+class PtmInBytes : public PtmRows {
+ public:
+  explicit PtmInBytes(PtmBytes bytes);
+  void read(int first, int count, float* coefficients, float* colour) const override;
+  const PtmBytes* bytes() const override { return &bytes_; }
+
+ private:
+  PtmBytes bytes_;
 };
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-#include "burnish/ptm/ptm_file.h"
+#include "burnish/ptm/files/ptm_file.h"
 
 #include <algorithm>
 #include <charconv>
@@ -87,14 +87,15 @@ void for_each_row(int width, int height, int per_texel, FileBytes file, MemoryBy
 
 }  // namespace
 
-PtmBytes read_ptm(const FileRef& file) {
+PtmFile read_ptm(const FileRef& file) {
   const std::string bytes = whole_file(file);
   Header header(bytes, file.name);
   const std::string magic = bytes.starts_with("PTM_") ? header.word("PTM_1.2") : "";
   if (magic != "PTM_1.2" && magic != "PTM_1.1" && magic != "PTM_1.0")
     header.fail("expected a polynomial texture map, which begins with PTM_1.2, got '" + excerpt(bytes) + "'");
   const std::string format = header.word("a format");
-  PtmBytes out;
+  PtmFile out;
+  out.format = magic + " " + format.substr(std::min(format.size(), kFormat.size()));
   if (format == kFormat + "LRGB") out.type = PtmType::kLrgb;
   else if (format == kFormat + "RGB") out.type = PtmType::kRgb;
   else if (format.starts_with(kFormat))

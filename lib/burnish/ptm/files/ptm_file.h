@@ -7,14 +7,20 @@
 //   RGB six a texel of the red image, of the green, of the blue
 #pragma once
 
+#include <string>
+
 #include "burnish/core/file_ref.h"
 #include "burnish/ptm/ptm.h"
 
 namespace burnish {
 
+struct PtmFile : PtmBytes {
+  std::string format;  // "PTM_1.2 LRGB"
+};
+
 // kIo where it cannot be read, kMalformed for what is no such file, ends early or says sizes that it does not hold;
 // kUnsupported, by name, for the other formats.
-PtmBytes read_ptm(const FileRef& file);
+PtmFile read_ptm(const FileRef& file);
 // 1.2. kIo where it cannot be written.
 void write_ptm(const FileRef& file, const PtmBytes& ptm);
 

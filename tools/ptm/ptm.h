@@ -1,0 +1,56 @@
+// What the verbs of burnish-ptm share.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "burnish/core/attributes.h"
+#include "burnish/ptm/files/ptm_textures.h"
+#include "burnish/ptm/ptm_rows.h"
+#include "cli/options.h"
+#include "cli/tool.h"
+
+namespace burnish::cli {
+
+struct Verb {
+  CLI::App* app;              // what its options stand on
+  std::function<Json()> run;  // returns the report's stats
+};
+
+// Declares a verb; the options that all tools have may stand behind it too.
+CLI::App& add_verb(Tool& tool, const std::string& name, const std::string& summary, const std::string& example);
+
+// Each declares a verb and its options.
+Verb add_convert(Tool& tool);
+
+// -o of what writes coefficients.
+struct PtmOutput {
+  std::string path, output_type;
+  int jpeg_quality = 0;  // of JPEG planes in a .ptm; 0: none are
+
+  void add_to(CLI::App& verb);
+};
+
+// Where coefficients go: .ptm, .exr or textures.
+class PtmTarget {
+ public:
+  // Reserves the files. kUnsupported for any other name.
+  PtmTarget(Tool& tool, const PtmOutput& output);
+
+  // `normal`: G of the lights (light_matrix.h), for what is rounded. `also`: further members of ptm.json.
+  void write(const PtmRows& rows, const std::array<PtmCoefficients<double>, kPtmTerms>& normal,
+             const Attributes& also = {}) const;
+  // What was written, as a reader sees it.
+  std::unique_ptr<PtmRows> stored() const;
+
+ private:
+  enum class Type { kPtm, kExr, kTextures };
+  static Type type_of(const PtmOutput& output);
+
+  Type type_;
+  int jpeg_quality_;
+  FileRef file_;
+  PtmTextureFiles textures_;
+};
+
+}  // namespace burnish::cli
