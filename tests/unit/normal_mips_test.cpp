@@ -126,21 +126,25 @@ TEST(NormalMips, RoughnessIsLeanMappingsForSmallSlopes) {
   EXPECT_NEAR(got * got, 0.01 + 2 * 0.05 * 0.05, 2e-4);
 }
 
-TEST(NormalMips, RoughnessMapsThatDoNotFit) {
+TEST(NormalMips, RoughnessAsANumberOrAMap) {
   const ScratchDir dir;
   const NormalMips mips = mips_of(random_normals(4, 3));
   Image alpha(4, 3);
   const auto write = [&] { write_image(dir / "a.exr", FileType::kExr, SampleType::kFloat, alpha); };
+  const auto read = [&](const ParameterSource& source) { return read_roughness("roughness", source, mips, "n.exr"); };
+  const ParameterSource map{0, dir / "a.exr"};
   write();
-  EXPECT_EQ(read_roughness(dir / "a.exr", mips).data, alpha.data);
+  EXPECT_EQ(read(map).data, alpha.data);
+  EXPECT_EQ(read({0.25, {}}).data, std::vector<float>(12, 0.25f));
+  EXPECT_ERROR(read({-1, {}}), ErrorKind::kUsage, "roughness: expected alpha of at least 0");
   for (const float bad : {-0.1f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     alpha.data[6] = bad;
     write();
-    EXPECT_ERROR(read_roughness(dir / "a.exr", mips), ErrorKind::kMalformed, "at column 2, row 1");
+    EXPECT_ERROR(read(map), ErrorKind::kMalformed, "at column 2, row 1");
   }
   alpha = Image(3, 4);
   write();
-  EXPECT_ERROR(read_roughness(dir / "a.exr", mips), ErrorKind::kMalformed, "expected 4x3 texels");
+  EXPECT_ERROR(read(map), ErrorKind::kMalformed, "expected 4x3 texels");
 }
 
 TEST(NormalMips, SpaceInvalidTexelsAndLevels) {
