@@ -61,7 +61,7 @@ void PtmTarget::write(const PtmRows& rows, const std::array<PtmCoefficients<doub
                       const Attributes& also) const {
   if (type_ == Type::kExr) write_ptm_exr(file_, rows);
   else if (type_ == Type::kTextures) write_ptm_textures(textures_, rows, normal, also);
-  else write_ptm(file_, rows.bytes() ? *rows.bytes() : rounded(rows, normal));
+  else write_ptm(file_, rows.bytes() ? *rows.bytes() : rounded(rows, normal), jpeg_quality_);
 }
 
 std::unique_ptr<PtmRows> PtmTarget::stored() const { return open_ptm(file_).rows; }
