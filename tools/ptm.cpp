@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
              "  burnish-ptm convert coin.ptm -o coin.exr\n"
              "  burnish-ptm --help, burnish-ptm convert --help"});
   tool.app().require_subcommand(1);
-  const Verb verbs[] = {add_convert(tool)};
+  const Verb verbs[] = {add_fit(tool), add_convert(tool)};
   return tool.run(argc, argv, [&]() -> Json {
     for (const Verb& verb : verbs)
       if (verb.app->parsed()) return verb.run();

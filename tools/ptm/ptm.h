@@ -22,6 +22,7 @@ CLI::App& add_verb(Tool& tool, const std::string& name, const std::string& summa
 
 // Each declares a verb and its options.
 Verb add_convert(Tool& tool);
+Verb add_fit(Tool& tool);
 
 // -o of what writes coefficients.
 struct PtmOutput {

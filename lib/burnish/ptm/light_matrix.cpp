@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 
 #include "burnish/core/error.h"
@@ -48,6 +49,22 @@ std::array<PtmCoefficients<double>, kPtmTerms> uniform_normal_matrix() {
            {0, 0, 0, u2, 0, 0},
            {0, 0, 0, 0, u2, 0},
            {u2, u2, 0, 0, 0, 1}}};
+}
+
+std::array<PtmCoefficients<double>, kPtmTerms> upper_factor(
+    const std::array<PtmCoefficients<double>, kPtmTerms>& normal) {
+  std::array<PtmCoefficients<double>, kPtmTerms> r{};
+  for (int i = 0; i < kPtmTerms; i++) {
+    double pivot = normal[i][i];
+    for (int k = 0; k < i; k++) pivot -= r[k][i] * r[k][i];
+    r[i][i] = std::sqrt(std::max({pivot, 1e-9 * normal[i][i], 1e-300}));
+    for (int j = i + 1; j < kPtmTerms; j++) {
+      double sum = normal[i][j];
+      for (int k = 0; k < i; k++) sum -= r[k][i] * r[k][j];
+      r[i][j] = sum / r[i][i];
+    }
+  }
+  return r;
 }
 
 }  // namespace burnish

@@ -27,4 +27,9 @@ LightMatrix light_matrix(const std::vector<Vec3d>& lights, double ridge, const s
 // means of products of terms, such as 1/3 of u² and 1/15 of u²v².
 std::array<PtmCoefficients<double>, kPtmTerms> uniform_normal_matrix();
 
+// R, upper triangular, of G = RᵀR: Cholesky's factor. Where G is singular, as with a ridge alone, its pivots are held
+// above a billionth of G's diagonal.
+std::array<PtmCoefficients<double>, kPtmTerms> upper_factor(
+    const std::array<PtmCoefficients<double>, kPtmTerms>& normal);
+
 }  // namespace burnish

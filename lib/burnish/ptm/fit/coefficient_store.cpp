@@ -1,0 +1,48 @@
+#include "burnish/ptm/fit/coefficient_store.h"
+
+#include <algorithm>
+
+namespace burnish {
+
+CoefficientStore::CoefficientStore(const PtmShape& shape, std::size_t memory, const std::string& directory)
+    : PtmRows(shape) {
+  const std::size_t values = row_values() * std::size_t(shape.height);
+  if (values * sizeof(float) > memory) spilled_.emplace(directory);
+  else values_.resize(values);
+}
+
+std::size_t CoefficientStore::row_values() const {
+  return std::size_t(shape().width) * (shape().polynomials() * kPtmTerms + shape().colours());
+}
+
+void CoefficientStore::write(int first, int count, const float* coefficients, const float* colour) {
+  const std::size_t colours = std::size_t(shape().width) * shape().colours(), six = row_values() - colours;
+  for (std::size_t row = std::size_t(first); row < std::size_t(first + count); row++) {
+    const std::size_t at = row_values() * row;
+    if (spilled_) {
+      spilled_->write(at * sizeof(float), coefficients, six * sizeof(float));
+      if (colours) spilled_->write((at + six) * sizeof(float), colour, colours * sizeof(float));
+    } else {
+      std::copy_n(coefficients, six, values_.begin() + std::ptrdiff_t(at));
+      std::copy_n(colour, colours, values_.begin() + std::ptrdiff_t(at + six));
+    }
+    coefficients += six, colour += colours;
+  }
+}
+
+void CoefficientStore::read(int first, int count, float* coefficients, float* colour) const {
+  const std::size_t colours = std::size_t(shape().width) * shape().colours(), six = row_values() - colours;
+  for (std::size_t row = std::size_t(first); row < std::size_t(first + count); row++) {
+    const std::size_t at = row_values() * row;
+    if (spilled_) {
+      spilled_->read(at * sizeof(float), coefficients, six * sizeof(float));
+      if (colours) spilled_->read((at + six) * sizeof(float), colour, colours * sizeof(float));
+    } else {
+      std::copy_n(values_.begin() + std::ptrdiff_t(at), six, coefficients);
+      std::copy_n(values_.begin() + std::ptrdiff_t(at + six), colours, colour);
+    }
+    coefficients += six, colour += colours;
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,28 @@
+// Coefficients as a fit finds them: in memory, or in a temporary file where they are more than it may hold.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/ptm/ptm_rows.h"
+#include "burnish/ptm/spill_file.h"
+
+namespace burnish {
+
+class CoefficientStore : public PtmRows {
+ public:
+  // More than `memory` bytes go to a file (spill_file.h).
+  CoefficientStore(const PtmShape& shape, std::size_t memory, const std::string& directory);
+
+  // Rows as read() gives them, each once, in any order.
+  void write(int first, int count, const float* coefficients, const float* colour);
+  void read(int first, int count, float* coefficients, float* colour) const override;
+
+ private:
+  std::size_t row_values() const;  // of a row: coefficients, then colours
+  std::vector<float> values_;
+  std::optional<SpillFile> spilled_;
+};
+
+}  // namespace burnish
