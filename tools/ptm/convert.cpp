@@ -1,7 +1,6 @@
 // burnish-ptm convert: one file of a polynomial texture map to another.
 #include <memory>
 
-#include "burnish/ptm/files/open_ptm.h"
 #include "burnish/ptm/light_matrix.h"
 #include "ptm/ptm.h"
 
@@ -16,10 +15,10 @@ Verb add_convert(Tool& tool) {
   CLI::App& verb = add_verb(tool, "convert", "Writes a map as another type of file",
                             "  burnish-ptm convert coin.ptm -o coin.exr\n"
                             "  burnish-ptm convert coin.exr -o coin/");
-  verb.add_option("IN", o->input, "A .ptm, .exr or PREFIX/ of textures; '-' is standard input")->required();
+  add_input(verb, o->input);
   o->output.add_to(verb);
   return {&verb, [o, &tool]() -> Json {
-            const OpenPtm map = open_ptm(tool.read(o->input));
+            const PtmInput map = open_input(tool, o->input);
             const PtmShape& shape = map.rows->shape();
             PtmTarget(tool, o->output).write(*map.rows, uniform_normal_matrix());
             return {{"width", shape.width}, {"height", shape.height}, {"type", name(shape.type)}};

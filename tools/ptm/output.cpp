@@ -64,6 +64,9 @@ void PtmTarget::write(const PtmRows& rows, const std::array<PtmCoefficients<doub
   else write_ptm(file_, rows.bytes() ? *rows.bytes() : rounded(rows, normal), jpeg_quality_);
 }
 
-std::unique_ptr<PtmRows> PtmTarget::stored() const { return open_ptm(file_).rows; }
+std::unique_ptr<PtmRows> PtmTarget::stored() const {
+  if (type_ == Type::kTextures) return read_ptm_textures(textures_).rows;
+  return open_ptm(file_).rows;
+}
 
 }  // namespace burnish::cli

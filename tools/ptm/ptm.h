@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "burnish/core/attributes.h"
+#include "burnish/ptm/files/open_ptm.h"
 #include "burnish/ptm/files/ptm_textures.h"
 #include "burnish/ptm/ptm_rows.h"
 #include "cli/options.h"
@@ -23,6 +25,19 @@ CLI::App& add_verb(Tool& tool, const std::string& name, const std::string& summa
 // Each declares a verb and its options.
 Verb add_convert(Tool& tool);
 Verb add_fit(Tool& tool);
+Verb add_info(Tool& tool);
+Verb add_normals(Tool& tool);
+Verb add_relight(Tool& tool);
+
+// A map that is read.
+struct PtmInput {
+  std::unique_ptr<PtmRows> rows;
+  std::string format;  // OpenPtm's, or "textures"
+  PtmType made_of;     // of textures, which are RGB, what they were made of
+  Json description;    // of textures their ptm.json
+};
+void add_input(CLI::App& verb, std::string& path);
+PtmInput open_input(Tool& tool, const std::string& path);
 
 // -o of what writes coefficients.
 struct PtmOutput {

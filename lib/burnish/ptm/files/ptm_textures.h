@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 
 #include "burnish/core/attributes.h"
@@ -30,5 +31,14 @@ std::array<std::string, 7> ptm_texture_names();
 // write_image().
 void write_ptm_textures(const PtmTextureFiles& files, const PtmRows& rows,
                         const std::array<PtmCoefficients<double>, kPtmTerms>& normal, const Attributes& also = {});
+
+struct PtmTextures {
+  std::unique_ptr<PtmRows> rows;    // RGB
+  PtmType made_of = PtmType::kRgb;  // "type"
+  JsonText description;             // all of ptm.json
+};
+// kMalformed where a member is missing or another than above, where an image has another size, channels or samples.
+// Textures of other programs may have biases between the steps of bytes.
+PtmTextures read_ptm_textures(const PtmTextureFiles& files);
 
 }  // namespace burnish
