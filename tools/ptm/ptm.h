@@ -23,6 +23,7 @@ struct Verb {
 CLI::App& add_verb(Tool& tool, const std::string& name, const std::string& summary, const std::string& example);
 
 // Each declares a verb and its options.
+Verb add_brdf(Tool& tool);
 Verb add_convert(Tool& tool);
 Verb add_fit(Tool& tool);
 Verb add_info(Tool& tool);

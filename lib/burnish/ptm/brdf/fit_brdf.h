@@ -22,6 +22,8 @@
 
 namespace burnish {
 
+inline constexpr int kLargestBrdfPtm = 4096;
+
 enum class LightWeights { kUniform, kProjected };
 
 struct BrdfPtmSettings {
