@@ -2,13 +2,16 @@
 //
 // A change d of the coefficients changes the squared error over the lights by dᵀGd (light_matrix.h). Rounding each by
 // itself ignores that they make up for each other; the nearest of all bytes is a closest vector problem in six
-// dimensions. Here: Babai's nearest plane, one coefficient after the other with the errors of those before it fed back,
-// then steps of one in one or two coefficients while they lower the error.
-// Source: Babai, "On Lovász' lattice reduction and the nearest lattice point problem" (Combinatorica, 1986).
+// dimensions. Here: Babai's nearest plane, one coefficient after the other with the errors of those before it fed back;
+// then, as the iterative slicer does, whole steps along the shortest vectors of the lattice while they bring it nearer.
+// Of the 63 vectors that bound the lattice's cell, the shortest of each class modulo 2, the shortest 16 nearly suffice.
+// Sources: Babai, "On Lovász' lattice reduction and the nearest lattice point problem" (Combinatorica, 1986); Sommer,
+// Feder & Shalvi, "Finding the closest lattice point by iterative slicing" (SIAM J. Discrete Math., 2009).
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "burnish/ptm/basis.h"
 
@@ -29,17 +32,24 @@ class CoefficientRounding {
   // `normal`: G.
   CoefficientRounding(const ByteRange& range, const std::array<PtmCoefficients<double>, kPtmTerms>& normal);
 
+  // `count` polynomials of six, whose coefficients are within some steps of the range.
+  void round(const float* coefficients, std::size_t count, std::uint8_t* raw) const;
   PtmCoefficients<std::uint8_t> rounded(const PtmCoefficients<float>& a) const;
   // dᵀGd of bytes against what they stand for.
   double squared_error(const PtmCoefficients<float>& a, const PtmCoefficients<std::uint8_t>& raw) const;
 
+  // A vector d of the lattice of bytes, and Hd / dᵀHd, H being G in steps of the bytes.
+  struct Direction {
+    float step[kPtmTerms], slope[kPtmTerms];
+  };
+
  private:
   using Real = PtmCoefficients<double>;
-  Real in_steps(const PtmCoefficients<float>& a) const;
 
   ByteRange range_;
-  std::array<Real, kPtmTerms> h_{};         // G in steps of the bytes
-  std::array<Real, kPtmTerms> feedback_{};  // rows of its Cholesky factor over their diagonal
+  std::array<Real, kPtmTerms> h_{};            // G in steps of the bytes
+  float feedback_[kPtmTerms][kPtmTerms] = {};  // rows of its upper factor over their diagonal
+  std::vector<Direction> directions_;          // shortest first
 };
 
 }  // namespace burnish

@@ -28,25 +28,38 @@ struct Extent {
   }
 };
 
-// Rows of a map, in floats.
+// Rows of a map, colours in whole numbers and the light scaled so that colour · light, rounding the colour from c to q,
+// changes least: by qᵀc / qᵀq.
 struct Band {
   std::vector<float> coefficients, colour;
   Band(const PtmRows& rows, std::size_t first, std::size_t count)
       : coefficients(count * rows.shape().width * rows.shape().polynomials() * kPtmTerms),
         colour(count * rows.shape().width * rows.shape().colours()) {
     rows.read(int(first), int(count), coefficients.data(), colour.data());
+    float* a = coefficients.data();
+    for (float* c = colour.data(); c != colour.data() + colour.size(); c += 3, a += kPtmTerms) {
+      float with = 0, length2 = 0;
+      for (int i = 0; i < 3; i++) {
+        const float whole = std::clamp(std::floor(c[i] + 0.5f), 0.0f, 255.0f);
+        with += whole * c[i], length2 += whole * whole;
+        c[i] = whole;
+      }
+      if (with == length2) continue;
+      const float scale = length2 > 0 ? with / length2 : 0;
+      for (int k = 0; k < kPtmTerms; k++) a[k] *= scale;
+    }
   }
 };
 
 Extent extent(const Band& band) {
   Extent e;
-  for (std::size_t i = 0; i < band.coefficients.size(); i++) {
-    const double a = band.coefficients[i];
-    if (!std::isfinite(a)) throw Error(ErrorKind::kMalformed, "expected finite coefficients, got others");
-    const std::size_t k = i % kPtmTerms;
-    e.least[k] = std::min(e.least[k], a);
-    e.most[k] = std::max(e.most[k], a);
-  }
+  for (std::size_t i = 0; i < band.coefficients.size(); i += kPtmTerms)
+    for (int k = 0; k < kPtmTerms; k++) {
+      const float a = band.coefficients[i + k];
+      if (!std::isfinite(a)) throw Error(ErrorKind::kMalformed, "expected finite coefficients, got others");
+      e.least[k] = std::min<double>(e.least[k], a);
+      e.most[k] = std::max<double>(e.most[k], a);
+    }
   return e;
 }
 
@@ -65,13 +78,9 @@ PtmBytes rounded(const PtmRows& rows, const std::array<PtmCoefficients<double>, 
   parallel_for_chunks(out.height, band, [&](std::size_t begin, std::size_t end, std::size_t) {
     const Band of(rows, begin, end - begin);
     std::uint8_t* to = out.coefficients.data() + begin * out.width * out.polynomials() * kPtmTerms;
-    for (std::size_t i = 0; i < of.coefficients.size(); i += kPtmTerms) {
-      PtmCoefficients<float> a;
-      std::copy_n(of.coefficients.data() + i, kPtmTerms, a.begin());
-      std::ranges::copy(rounding.rounded(a), to + i);
-    }
+    rounding.round(of.coefficients.data(), of.coefficients.size() / kPtmTerms, to);
     std::ranges::transform(of.colour, out.colour.begin() + begin * out.width * out.colours(),
-                           [](float c) { return std::uint8_t(std::clamp(std::floor(c + 0.5f), 0.0f, 255.0f)); });
+                           [](float c) { return std::uint8_t(c); });
   });
   return out;
 }

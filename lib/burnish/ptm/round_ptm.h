@@ -1,5 +1,6 @@
 // A map of floats rounded to the bytes of files: over the range of its own coefficients, of all polynomials together,
-// each texel's six so that its light changes least (coefficient_rounding.h). Colours are rounded to whole numbers.
+// each texel's six so that its light changes least (coefficient_rounding.h). Colours are rounded to whole numbers, and
+// what that changes of a texel's brightness is made up for by its light.
 #pragma once
 
 #include <array>

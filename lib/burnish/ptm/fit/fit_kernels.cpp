@@ -1,33 +1,46 @@
 #include "burnish/ptm/fit/fit_kernels.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "burnish/core/vector_math.h"
+#include "burnish/ptm/lanes.h"
 
 namespace burnish::kernels {
 namespace {
 
 using Matrix = std::span<const PtmCoefficients<double>>;
 
+// Photographs side by side: taken from where they lie far apart, they would fall on the same lines of the caches.
+constexpr std::size_t kTogether = 16;
+
 template <typename Sum, typename T>
 [[gnu::always_inline]] inline void project_as(BlockSamples<T> p, Matrix inverse, SampleTerms& out) {
-  alignas(64) Sum a[kPtmTerms][kSamples] = {};
-  for (std::size_t i = 0; i < inverse.size(); i++) {
-    const T* __restrict samples = p.first + p.stride * i;
-    Sum w[kPtmTerms];
-    for (int k = 0; k < kPtmTerms; k++) w[k] = Sum(inverse[i][k]);
-    for (int s = 0; s < kSamples; s++) {
-      const Sum x = Sum(samples[s]);
-      a[0][s] += w[0] * x;
-      a[1][s] += w[1] * x;
-      a[2][s] += w[2] * x;
-      a[3][s] += w[3] * x;
-      a[4][s] += w[4] * x;
-      a[5][s] += w[5] * x;
+  constexpr int kSums = int(sizeof(Lanes) / sizeof(Sum));
+  typedef Sum Sums __attribute__((vector_size(sizeof(Lanes))));
+  alignas(64) Sum together[kTogether][kSamples];
+  Sum weight[kTogether][kPtmTerms];
+  alignas(64) Sums sums[kPtmTerms][kSamples / kSums] = {};
+  for (std::size_t first = 0; first < inverse.size(); first += kTogether) {
+    const std::size_t count = std::min(kTogether, inverse.size() - first);
+    for (std::size_t i = 0; i < count; i++) {
+      const T* samples = p.first + p.stride * (first + i);
+      for (int s = 0; s < kSamples; s++) together[i][s] = Sum(samples[s]);
+      for (int k = 0; k < kPtmTerms; k++) weight[i][k] = Sum(inverse[first + i][k]);
+    }
+    for (int s = 0; s < kSamples / kSums; s++) {
+      Sums a[kPtmTerms];
+      for (int k = 0; k < kPtmTerms; k++) a[k] = sums[k][s];
+      for (std::size_t i = 0; i < count; i++) {
+        Sums x;
+        std::memcpy(&x, together[i] + s * kSums, sizeof x);
+        for (int k = 0; k < kPtmTerms; k++) a[k] += x * weight[i][k];
+      }
+      for (int k = 0; k < kPtmTerms; k++) sums[k][s] = a[k];
     }
   }
   for (int k = 0; k < kPtmTerms; k++)
-    for (int s = 0; s < kSamples; s++) out.a[k][s] = float(a[k][s]);
+    for (int s = 0; s < kSamples; s++) out.a[k][s] = float(sums[k][s / kSums][s % kSums]);
 }
 
 BURNISH_VECTOR_UNITS void project_bytes(BlockSamples<std::uint8_t> p, Matrix inverse, SampleTerms& out) {
@@ -37,77 +50,82 @@ BURNISH_VECTOR_UNITS void project_floats(BlockSamples<float> p, Matrix inverse, 
   project_as<double>(p, inverse, out);
 }
 
-// A symmetric matrix over its trace.
+// Symmetric matrices.
 struct Symmetric {
-  float xx, xy, xz, yy, yz, zz;
+  Lanes xx, xy, xz, yy, yz, zz;
 };
-[[gnu::always_inline]] inline Symmetric of_trace_1(Symmetric m) {
-  const float trace = m.xx + m.yy + m.zz;
-  const float f = trace > 1e-30f ? 1.0f / trace : 0.0f;
-  return {m.xx * f, m.xy * f, m.xz * f, m.yy * f, m.yz * f, m.zz * f};
+[[gnu::always_inline]] inline void divide_by_trace(Symmetric& m) {
+  const Lanes trace = m.xx + m.yy + m.zz, f = trace > 1e-30f ? 1.0f / trace : trace * 0.0f;
+  m.xx *= f, m.xy *= f, m.xz *= f, m.yy *= f, m.yz *= f, m.zz *= f;
 }
-[[gnu::always_inline]] inline Symmetric squared(Symmetric m) {
-  return {m.xx * m.xx + m.xy * m.xy + m.xz * m.xz, m.xx * m.xy + m.xy * m.yy + m.xz * m.yz,
-          m.xx * m.xz + m.xy * m.yz + m.xz * m.zz, m.xy * m.xy + m.yy * m.yy + m.yz * m.yz,
-          m.xy * m.xz + m.yy * m.yz + m.yz * m.zz, m.xz * m.xz + m.yz * m.yz + m.zz * m.zz};
+[[gnu::always_inline]] inline void square(Symmetric& m) {
+  m = {m.xx * m.xx + m.xy * m.xy + m.xz * m.xz, m.xx * m.xy + m.xy * m.yy + m.xz * m.yz,
+       m.xx * m.xz + m.xy * m.yz + m.xz * m.zz, m.xy * m.xy + m.yy * m.yy + m.yz * m.yz,
+       m.xy * m.xz + m.yy * m.yz + m.yz * m.zz, m.xz * m.xz + m.yz * m.yz + m.zz * m.zz};
 }
 
 // The power method by squaring: M^256, of which any column is the eigenvector, the largest most exactly.
 constexpr int kSquarings = 8;
 
-[[gnu::always_inline]] inline void colour_of(Symmetric m, float& red, float& green, float& blue) {
-  m = of_trace_1(m);
-  for (int i = 0; i < kSquarings; i++) m = of_trace_1(squared(m));
-  const bool x_most = m.xx >= m.yy && m.xx >= m.zz, y_most = m.yy >= m.zz;
-  const float x = x_most   ? m.xx
-                  : y_most ? m.xy
-                           : m.xz,
-              y = x_most   ? m.xy
-                  : y_most ? m.yy
-                           : m.yz,
-              z = x_most   ? m.xz
-                  : y_most ? m.yz
-                           : m.zz;
-  const float sign = x + y + z < 0.0f ? -1.0f : 1.0f;
-  const float r = std::max(sign * x, 0.0f), g = std::max(sign * y, 0.0f), b = std::max(sign * z, 0.0f);
-  const float most = std::max(r, std::max(g, b)), scale = most > 0.0f ? 255.0f / most : 0.0f;
-  red = most > 0.0f ? r * scale : 255.0f;
-  green = most > 0.0f ? g * scale : 255.0f;
-  blue = most > 0.0f ? b * scale : 255.0f;
+[[gnu::always_inline]] inline void largest_eigenvector(Symmetric& m, Lanes (&v)[3]) {
+  divide_by_trace(m);
+  for (int i = 0; i < kSquarings; i++) {
+    square(m);
+    divide_by_trace(m);
+  }
+  const auto x_most = (m.xx >= m.yy) & (m.xx >= m.zz), y_most = m.yy >= m.zz;
+  v[0] = x_most ? m.xx : y_most ? m.xy : m.xz;
+  v[1] = x_most ? m.xy : y_most ? m.yy : m.yz;
+  v[2] = x_most ? m.xz : y_most ? m.yz : m.zz;
+}
+
+[[gnu::always_inline]] inline void larger_of(Lanes& a, const Lanes& b) { a = b > a ? b : a; }
+
+// An eigenvector as a colour: none of it negative, its largest channel 255; white where it is 0.
+[[gnu::always_inline]] inline void to_colour(Lanes (&v)[3]) {
+  const Lanes zero = v[0] * 0.0f, sum = v[0] + v[1] + v[2];
+  Lanes most = zero;
+  for (Lanes& x : v) {
+    x = sum < 0.0f ? -x : x;
+    larger_of(x, zero);
+    larger_of(most, x);
+  }
+  for (Lanes& x : v) x = most > 0.0f ? x * (255.0f / most) : zero + 255.0f;
+}
+
+// Of kLanes texels, the first of which stands at `c[channel][term]`.
+[[gnu::always_inline]] inline void rank_one_of_lanes(const float (&c)[3][kPtmTerms][kTexels],
+                                                     const float (&root)[kPtmTerms][kPtmTerms], int first,
+                                                     TexelTerms& out) {
+  Lanes a[3][kPtmTerms];
+  for (int channel = 0; channel < 3; channel++)
+    for (int k = 0; k < kPtmTerms; k++) load(c[channel][k] + first, a[channel][k]);
+  Symmetric m{};
+  for (int i = 0; i < kPtmTerms; i++) {  // C Rᵀ, R upper triangular, a column at a time
+    Lanes x[3];
+    for (int channel = 0; channel < 3; channel++) {
+      x[channel] = root[i][i] * a[channel][i];
+      for (int k = i + 1; k < kPtmTerms; k++) x[channel] += root[i][k] * a[channel][k];
+    }
+    m.xx += x[0] * x[0], m.xy += x[0] * x[1], m.xz += x[0] * x[2];
+    m.yy += x[1] * x[1], m.yz += x[1] * x[2], m.zz += x[2] * x[2];
+  }
+  Lanes colour[3];
+  largest_eigenvector(m, colour);
+  to_colour(colour);
+  const Lanes scale = 255.0f / (colour[0] * colour[0] + colour[1] * colour[1] + colour[2] * colour[2]);
+  for (int channel = 0; channel < 3; channel++) store(colour[channel], out.colour[channel] + first);
+  for (int k = 0; k < kPtmTerms; k++)
+    store(scale * (colour[0] * a[0][k] + colour[1] * a[1][k] + colour[2] * a[2][k]), out.a[k] + first);
 }
 
 BURNISH_VECTOR_UNITS void rank_one_of(const SampleTerms& samples, const float (&root)[kPtmTerms][kPtmTerms],
                                       TexelTerms& out) {
-  alignas(64) float c[3][kPtmTerms][kTexels], x[3][kPtmTerms][kTexels];
-  for (int k = 0; k < kPtmTerms; k++)
-    for (int t = 0; t < kTexels; t++) {
-      c[0][k][t] = samples.a[k][3 * t];
-      c[1][k][t] = samples.a[k][3 * t + 1];
-      c[2][k][t] = samples.a[k][3 * t + 2];
-    }
-  for (int channel = 0; channel < 3; channel++)  // C Rᵀ, R upper triangular
-    for (int i = 0; i < kPtmTerms; i++) {
-      float* __restrict row = x[channel][i];
-      for (int t = 0; t < kTexels; t++) row[t] = root[i][i] * c[channel][i][t];
-      for (int k = i + 1; k < kPtmTerms; k++)
-        for (int t = 0; t < kTexels; t++) row[t] += root[i][k] * c[channel][k][t];
-    }
-  for (int t = 0; t < kTexels; t++) {
-    Symmetric m{};
-    for (int i = 0; i < kPtmTerms; i++) {
-      const float r = x[0][i][t], g = x[1][i][t], b = x[2][i][t];
-      m.xx += r * r, m.xy += r * g, m.xz += r * b, m.yy += g * g, m.yz += g * b, m.zz += b * b;
-    }
-    colour_of(m, out.colour[0][t], out.colour[1][t], out.colour[2][t]);
-  }
-  alignas(64) float scale[kTexels];
-  for (int t = 0; t < kTexels; t++)
-    scale[t] = 255.0f / (out.colour[0][t] * out.colour[0][t] + out.colour[1][t] * out.colour[1][t] +
-                         out.colour[2][t] * out.colour[2][t]);
+  alignas(64) float c[3][kPtmTerms][kTexels];
   for (int k = 0; k < kPtmTerms; k++)
     for (int t = 0; t < kTexels; t++)
-      out.a[k][t] =
-          scale[t] * (out.colour[0][t] * c[0][k][t] + out.colour[1][t] * c[1][k][t] + out.colour[2][t] * c[2][k][t]);
+      for (int channel = 0; channel < 3; channel++) c[channel][k][t] = samples.a[k][3 * t + channel];
+  for (int first = 0; first < kTexels; first += kLanes) rank_one_of_lanes(c, root, first, out);
 }
 
 // Adds the squared errors of one photograph to `sum`.
