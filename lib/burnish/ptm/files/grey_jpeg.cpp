@@ -2,6 +2,7 @@
 
 #include <jpeglib.h>
 
+#include <array>
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h wants it
 #include <cstdlib>
@@ -97,7 +98,7 @@ struct Encoder {
     std::free(bytes);
   }
 
-  bool begin(int width, int height, int quality) {
+  bool begin(int width, int height, const std::array<unsigned, 64>& table) {
     jpeg.err = prepare(failure);
     if (setjmp(failure.back)) return false;
     jpeg_create_compress(&jpeg);
@@ -107,7 +108,7 @@ struct Encoder {
     jpeg.input_components = 1;
     jpeg.in_color_space = JCS_GRAYSCALE;
     jpeg_set_defaults(&jpeg);
-    jpeg_set_quality(&jpeg, quality, TRUE);
+    jpeg_add_quant_table(&jpeg, 0, table.data(), 100, TRUE);
     jpeg.dct_method = JDCT_ISLOW;
     jpeg.optimize_coding = TRUE;
     jpeg_start_compress(&jpeg, TRUE);
@@ -156,9 +157,11 @@ void decode_grey_jpeg(std::string_view stream, int width, int height,
   require(decoder.finish(), decoder);
 }
 
-std::string encode_grey_jpeg(int width, int height, int quality, const std::function<void(int, std::uint8_t*)>& row) {
+std::string encode_grey_jpeg(int width, int height, int step, const std::function<void(int, std::uint8_t*)>& row) {
+  std::array<unsigned, 64> table;
+  table.fill(unsigned(step));
   Encoder encoder;
-  require(encoder.begin(width, height, quality), encoder);
+  require(encoder.begin(width, height, table), encoder);
   std::vector<std::uint8_t> bytes(width);
   for (int y = 0; y < height; y++) {
     row(y, bytes.data());

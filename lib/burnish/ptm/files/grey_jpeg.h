@@ -19,8 +19,8 @@ bool may_hold_texels(std::size_t stream_bytes, std::size_t texels);
 void decode_grey_jpeg(std::string_view stream, int width, int height,
                       const std::function<void(int y, const std::uint8_t* row)>& row);
 
-// `row` fills a row of the stream. Quality: 1 … 100, as libjpeg scales its tables.
-std::string encode_grey_jpeg(int width, int height, int quality,
-                             const std::function<void(int y, std::uint8_t* row)>& row);
+// `row` fills a row of the stream. Every frequency is rounded to multiples of `step`, 1 … 255: libjpeg's own tables are
+// for eyes, which do not look at these planes.
+std::string encode_grey_jpeg(int width, int height, int step, const std::function<void(int y, std::uint8_t* row)>& row);
 
 }  // namespace burnish

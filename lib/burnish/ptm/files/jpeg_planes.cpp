@@ -1,7 +1,6 @@
 #include "burnish/ptm/files/jpeg_planes.h"
 
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -9,31 +8,13 @@
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
 #include "burnish/ptm/files/grey_jpeg.h"
+#include "burnish/ptm/files/plane.h"
 
 namespace burnish {
 namespace {
 
 constexpr int kInverted = 1, kMoved = 2;
 constexpr std::size_t kRecord = 5;  // of side information
-
-// Of every texel one byte; rows from the bottom.
-template <typename Byte>
-struct Plane {
-  Byte* first;
-  std::size_t step;
-  int width, height;
-
-  Byte& at(int y, int x) const { return first[(std::size_t(height - 1 - y) * width + x) * step]; }
-};
-
-template <typename Bytes, typename Byte>
-std::vector<Plane<Byte>> planes_of(Bytes& ptm, Byte* coefficients, Byte* colour) {
-  std::vector<Plane<Byte>> planes;
-  const int terms = ptm.polynomials() * kPtmTerms;
-  for (int i = 0; i < terms; i++) planes.push_back({coefficients + i, std::size_t(terms), ptm.width, ptm.height});
-  for (int i = 0; i < ptm.colours(); i++) planes.push_back({colour + i, 3, ptm.width, ptm.height});
-  return planes;
-}
 
 std::size_t plane_count(const PtmShape& shape) {
   return std::size_t(shape.polynomials()) * kPtmTerms + std::size_t(shape.colours());
@@ -97,7 +78,7 @@ Plan read_plan(HeaderText& header, std::size_t n) {
   return plan;
 }
 
-void predict(const Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& reference, bool inverted) {
+void predict(const Plane& plane, const Plane& reference, bool inverted) {
   for (int y = 0; y < plane.height; y++)
     for (int x = 0; x < plane.width; x++) {
       const int from = inverted ? 255 - reference.at(y, x) : reference.at(y, x);
@@ -105,7 +86,7 @@ void predict(const Plane<std::uint8_t>& plane, const Plane<std::uint8_t>& refere
     }
 }
 
-void correct(const Plane<std::uint8_t>& plane, std::string_view records, const HeaderText& header, std::size_t i) {
+void correct(const Plane& plane, std::string_view records, const HeaderText& header, std::size_t i) {
   if (records.size() % kRecord)
     header.fail(plane_name(i) + ": expected side information in records of 5 bytes, got " +
                 std::to_string(records.size()) + " bytes");
@@ -130,7 +111,7 @@ void read_jpeg_planes(HeaderText& header, PtmBytes& out) {
                   std::to_string(out.height) + " texels, got " + std::to_string(plan.streams[i].size()) + " bytes");
   out.coefficients.resize(out.texels() * out.polynomials() * kPtmTerms);
   out.colour.resize(out.texels() * out.colours());
-  const auto planes = planes_of(out, out.coefficients.data(), out.colour.data());
+  const auto planes = planes_of(out);
   std::vector<std::string> faults(n);
   parallel_for(n, [&](std::size_t i) {
     try {
@@ -147,32 +128,6 @@ void read_jpeg_planes(HeaderText& header, PtmBytes& out) {
     if (const int of = plan.reference[i]; of >= 0) predict(planes[i], planes[of], plan.transforms[i] & kInverted);
     correct(planes[i], plan.corrections[i], header, std::size_t(i));
   }
-}
-
-std::string jpeg_planes(const PtmBytes& ptm, int quality, const std::string& name) {
-  if (ptm.width > kLargestJpegSide || ptm.height > kLargestJpegSide)
-    throw file_error(ErrorKind::kUnsupported, name,
-                     "JPEG planes hold sides up to " + std::to_string(kLargestJpegSide) + ", not " +
-                         std::to_string(ptm.width) + "x" + std::to_string(ptm.height));
-  const auto planes = planes_of(ptm, ptm.coefficients.data(), ptm.colour.data());
-  const std::size_t n = planes.size();
-  std::vector<std::string> streams(n);
-  parallel_for(n, [&](std::size_t i) {
-    streams[i] = encode_grey_jpeg(ptm.width, ptm.height, quality, [&](int y, std::uint8_t* row) {
-      for (int x = 0; x < ptm.width; x++) row[x] = planes[i].at(y, x);
-    });
-  });
-  std::string text = std::to_string(quality) + "\n";
-  const auto line = [&](auto&& value) {
-    for (std::size_t i = 0; i < n; i++) text += std::to_string(value(i)) + (i + 1 < n ? " " : "\n");
-  };
-  const auto none = [](std::size_t) { return 0; };
-  line(none), line(none), line(none);  // transforms, motion
-  line([](std::size_t i) { return i; });
-  line([](std::size_t) { return -1; });
-  line([&](std::size_t i) { return streams[i].size(); });
-  line(none);
-  return std::accumulate(streams.begin(), streams.end(), std::move(text));
 }
 
 }  // namespace burnish

@@ -20,7 +20,13 @@ namespace burnish {
 // itself or is damaged; kUnsupported for motion (bit 1 of transforms), which no published program writes or reads.
 void read_jpeg_planes(HeaderText& header, PtmBytes& out);
 
-// The same, to write: no plane has a reference. `name` is for messages; kUnsupported for sides beyond JPEG's.
+// The same, to write, in the order of their numbers and without references. `name` is for messages; kUnsupported for
+// sides beyond JPEG's.
+//
+// What one plane loses the next make up for: colours come first, and light is scaled to what is left of them; then a
+// polynomial's planes, each holding what is best of its coefficient now that those before it are known, for lights
+// uniform over the hemisphere (light_matrix.h). Frequencies are rounded to multiples of 16 · (2 − quality/50), of the
+// whole number below it, and not below 1, where libjpeg's tables begin with that and rise.
 std::string jpeg_planes(const PtmBytes& ptm, int quality, const std::string& name);
 
 }  // namespace burnish
