@@ -25,7 +25,7 @@ struct PtmFitOptions {
   bool leave_one_out = false;
   // Bytes that fit and rounding may hold; coefficients that are more go to a temporary file.
   std::size_t memory = std::size_t(1) << 30;
-  std::string directory;  // for that (spill_file.h)
+  std::string directory{};  // for that (spill_file.h)
 };
 
 struct PtmFit {
