@@ -220,12 +220,13 @@ burnish-render: warning: 'n.exr': 1 texel holds no direction and counts as (0,0,
   succeeds burnish-render s.toml --path palette -o x.png
 }
 
-@test "paths that do not fit: unknown, not there yet, without their map" {
+@test "paths that do not fit: unknown, without their map, table or object" {
   scene
   refuses 1 "--path: expected a path, one of analytic, palette" burnish-render s.toml --path palete -o x.png
-  refuses 5 "--path: path 'ptm' is not there yet" burnish-render s.toml --path ptm -o x.png
-  sed -i '1i path = "ptm"' s.toml
-  refuses 5 "path 'ptm' is not there yet" burnish-render s.toml -o x.png
+  refuses 3 "path 'ptm' needs the table of light-factor, [tables] light_factor" burnish-render s.toml --path ptm -o x.png
+  burnish-lut light-factor -o lf.exr
+  printf '[tables]\nlight_factor = "lf.exr"\n' >>s.toml
+  refuses 3 "path 'ptm-brdf' needs an [object.ptm], and the object with 'i.png' has none" burnish-render s.toml --path ptm-brdf -o x.png
   scene
   sed -i '/^indexed_map/d' s.toml
   refuses 3 "needs an 'indexed_map'" burnish-render s.toml --path palette -o x.png

@@ -160,7 +160,17 @@ TEST(RenderScene, RefusalsNameFileLineAndKey) {
           "'material[1].id': expected ids that differ, got 1 twice");
   refused(kObject + "[validate]\nmax_abs = -1\n", "'validate.max_abs': expected a number of at least 0, got -1");
   refused("a = \n", "'s.toml': line 1: ");
-  EXPECT_ERROR(parse("path = 'ptm'\n" + kObject), kUnsupported, "path 'ptm' is not there yet");
+  const std::string quad = "[[object]]\n";
+  refused(quad + "[object.ptm]\n", "'object[0].ptm.map': expected the file of the map");
+  refused(quad + "[object.ptm]\nmap = 'a.exr'\nbrdf = 'ward:'\n", "'object[0].ptm.map': expected the PREFIX/");
+  refused(quad + "[object.ptm]\nmap = 'a/'\nbrdf = 'ward:'\ntransfer = 'srgb'\n", "transfer': unknown key");
+  refused(quad + "[object.ptm]\nmap = 'a/'\ntransfer = 'gamma'\n", "transfer': expected");
+  refused(kObject + "[object.ptm]\nmap = 'a.ptm'\n", "'object[0].normal_map': expected none beside [object.ptm]");
+  refused(quad + "filter = 'nearest'\n[object.ptm]\nmap = 'a/'\nbrdf = 'ward:'\n", "filter': unknown key");
+  refused(quad + "[object.ptm]\nmap = 'a.ptm'\n[[material]]\n", "expected no [[material]]");
+  refused("[[object]]\nsurface = 'torus'\nradius = 0.2\ntube_radius = 0.2\n",
+          "expected less than the ring's 'radius', 0.2");
+  refused("[[object]]\nsurface = 'torus'\nsize = [1, 1]\n", "size': unknown key");
 }
 
 TEST(RenderScene, FilesThatCannotBeRead) {

@@ -1,14 +1,16 @@
 #include "burnish/render/anisotropy/reflectance_path.h"
+#include "burnish/render/ptm/ptm_path.h"
 
 namespace burnish {
 namespace {
 
 class AnalyticPath final : public ShadingPath {
  public:
-  explicit AnalyticPath(const FrameSetup& setup) : setup_(setup), reflectance_(setup) {}
+  explicit AnalyticPath(const FrameSetup& setup) : setup_(setup), reflectance_(setup), ptm_(setup) {}
 
   Vec3d shade(std::size_t object, const SurfacePoint& point) const override {
     if (setup_.scene.objects[object].reflectance) return reflectance_.shade(object, point);
+    if (setup_.scene.objects[object].ptm) return ptm_.shade(object, point);
     const Object& o = setup_.scene.objects[object];
     const Vec3d position = o.transform.point_to_world(point.position);
     std::vector<Arriving> lights;
@@ -20,6 +22,7 @@ class AnalyticPath final : public ShadingPath {
 
   LookedUp look_up(std::size_t object, const SurfacePoint& point) const override {
     if (setup_.scene.objects[object].reflectance) return reflectance_.look_up(object, point);
+    if (setup_.scene.objects[object].ptm) return ptm_.look_up(object, point);
     LookedUp out;
     out.normal = normal(object, point);
     if (const auto& indexed = setup_.assets[object].indexed) {
@@ -56,6 +59,7 @@ class AnalyticPath final : public ShadingPath {
 
   FrameSetup setup_;
   AnalyticReflectance reflectance_;  // of the objects that have one
+  AnalyticPtm ptm_;                  // likewise
 };
 
 }  // namespace

@@ -66,6 +66,7 @@ std::shared_ptr<const MeshSurface> read_surface(const Object& object, std::size_
   if (!object.normal_map.empty() || !object.indexed_map.empty() || !object.base.map.empty())
     require_uvs(mesh, "since the object has maps");
   if (object.reflectance) require_uvs(mesh, "which tell its reflectance the direction of the tangents");
+  if (object.ptm) require_uvs(mesh, "which tell its polynomial texture map where it lies");
   return std::make_shared<const MeshSurface>(std::move(mesh), object.shading);
 }
 
@@ -163,6 +164,11 @@ std::vector<ObjectAssets> load_assets(Scene& scene) {
       assets.base_map = read_base_map(object.base, object.reflectance && object.reflectance->gloss);
     if (object.reflectance) {
       read_reflectance(object, assets);
+      out.push_back(std::move(assets));
+      continue;
+    }
+    if (object.ptm) {
+      assets.ptm = load_ptm(*object.ptm);
       out.push_back(std::move(assets));
       continue;
     }

@@ -8,6 +8,7 @@
 
 #include "burnish/palette/indexed_map.h"
 #include "burnish/render/anisotropy/reflectance_maps.h"
+#include "burnish/render/ptm/ptm_assets.h"
 #include "burnish/render/scene.h"
 
 namespace burnish {
@@ -26,6 +27,8 @@ struct ObjectAssets {
 
   std::optional<ReflectanceMaps> reflectance;  // where the object has one; it holds the normals then
   std::optional<MaterialTextures> textures;
+
+  std::optional<PtmAssets> ptm;
 
   std::optional<IndexedMap> indexed;
   std::vector<const Material*> interval_materials;  // of each interval of the palette; into Scene::materials

@@ -99,6 +99,8 @@ const std::vector<std::pair<const char*, RenderPath>> kPaths{
     {"strand-ps14", RenderPath::kStrandPs14},
     {"strand-bump", RenderPath::kStrandBump},
     {"strand-bump-unnormalised", RenderPath::kStrandBumpUnnormalised},
+    {"ptm", RenderPath::kPtm},
+    {"ptm-brdf", RenderPath::kPtmBrdf},
 };
 
 }  // namespace
@@ -113,9 +115,6 @@ RenderPath render_path(const std::string& name, ErrorKind unknown) {
     if (name == word) return path;
     all.emplace_back(word);
   }
-  for (const char* later : {"ptm", "ptm-brdf"})
-    if (name == later)
-      throw Error(ErrorKind::kUnsupported, "path '" + name + "' is not there yet; there are " + joined(all));
   throw Error(unknown, "expected a path, one of " + joined(all) + ", got '" + name + "'");
 }
 
@@ -135,6 +134,9 @@ std::vector<std::string> Scene::files() const {
   for (const Object& o : objects)
     if (o.reflectance)
       for (const std::string& file : o.reflectance->files()) add(file);
+  for (const Object& o : objects)
+    if (o.ptm)
+      for (const std::string& file : o.ptm->files()) add(file);
   for (const auto& [kind, table] : tables) add(table.file);
   for (const Material& m : materials)
     for (const LightingModel& term : m.terms)
@@ -150,7 +152,6 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::str
     try {
       scene.path = render_path(root.text("path"), ErrorKind::kMalformed);
     } catch (const Error& error) {
-      if (error.kind() == ErrorKind::kUnsupported) throw file_error(error.kind(), name, error.what());
       root.fail("path", error.what());
     }
   }
@@ -165,8 +166,8 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::str
   scene.materials = parse_materials(root, directory);
   scene.tables = parse_tables(root.table("tables"), directory);
   if (root.has("material") &&
-      std::ranges::all_of(scene.objects, [](const Object& o) { return o.reflectance.has_value(); }))
-    root.fail("material", "expected no [[material]] where every object has an [object.reflectance]");
+      std::ranges::all_of(scene.objects, [](const Object& o) { return o.reflectance || o.ptm; }))
+    root.fail("material", "expected no [[material]] where every object has an [object.reflectance] or [object.ptm]");
   scene.validation = validation(root.table("validate"));
   root.refuse_unknown();
   return scene;

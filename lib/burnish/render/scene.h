@@ -23,6 +23,7 @@
 #include "burnish/render/lookup.h"
 #include "burnish/render/mesh_surface.h"
 #include "burnish/render/mip_level.h"
+#include "burnish/render/ptm/scene_ptm.h"
 #include "burnish/render/surface.h"
 #include "burnish/render/transform.h"
 
@@ -43,10 +44,11 @@ enum class RenderPath {
   kStrandPs14,
   kStrandBump,
   kStrandBumpUnnormalised,
+  kPtm,
+  kPtmBrdf,
 };
 const char* name(RenderPath path);  // "analytic", "palette", "palette-expanded", "banks", …
-// kUnsupported for a path that is not built yet, `unknown` for a name that means nothing; both say what there
-// is.
+// Throws `unknown`, with the names that there are, for any other.
 RenderPath render_path(const std::string& name, ErrorKind unknown);
 
 // The surface's own colour, which shading is blended with (Tarini et al., section 7).
@@ -67,7 +69,8 @@ struct Object {
   BaseColour base;
   std::optional<NormalSpace> normal_space;  // of both maps; none: as they say, otherwise tangent
   NormalCoding coding;  // of the normal map; its green axis also of an indexed map that does not tell its own
-  std::optional<Reflectance> reflectance;  // none: the scene's materials
+  std::optional<Reflectance> reflectance;  // none: a PTM, or the scene's materials
+  std::optional<PtmSource> ptm;
   Filter filter = Filter::kNearest;
   MipMode mip = MipMode::kOff;
 };
@@ -111,7 +114,7 @@ struct Scene {
 };
 
 // kIo where the file cannot be read; kMalformed for what is no TOML, unknown keys, wrong types, values out of
-// range and keys that exclude each other; kUnsupported for a path of a later version.
+// range and keys that exclude each other.
 Scene read_scene(const FileRef& file);
 // The same from memory; `directory` is what its paths are relative to (empty: the working directory).
 Scene parse_scene(std::string_view text, const std::string& name, const std::string& directory);

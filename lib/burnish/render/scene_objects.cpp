@@ -1,5 +1,6 @@
 #include "burnish/render/scene_objects.h"
 
+#include "burnish/core/number_text.h"
 #include "burnish/render/anisotropy/scene_reflectance.h"
 
 namespace burnish {
@@ -7,12 +8,22 @@ namespace {
 
 Surface surface(const TomlTable& t) {
   Surface s;
-  s.type = t.choice<SurfaceType>(
-      "surface", {{"quad", SurfaceType::kQuad}, {"sphere", SurfaceType::kSphere}, {"mesh", SurfaceType::kMesh}},
-      s.type);
+  s.type = t.choice<SurfaceType>("surface",
+                                 {{"quad", SurfaceType::kQuad},
+                                  {"sphere", SurfaceType::kSphere},
+                                  {"torus", SurfaceType::kTorus},
+                                  {"mesh", SurfaceType::kMesh}},
+                                 s.type);
   if (s.type == SurfaceType::kMesh) return s;
   if (s.type == SurfaceType::kSphere) {
     s.radius = t.number("radius", kPositive, s.radius);
+    return s;
+  }
+  if (s.type == SurfaceType::kTorus) {
+    s.radius = t.number("radius", kPositive, 0.35);
+    s.tube_radius = t.number("tube_radius", kPositive, s.tube_radius);
+    if (!(s.tube_radius < s.radius))
+      t.fail("tube_radius", "expected less than the ring's 'radius', " + number_text(s.radius));
     return s;
   }
   if (t.has("size")) {
@@ -96,6 +107,13 @@ Object parse_object(const TomlTable& t, const std::string& directory) {
     if (o.reflectance->gloss && o.base.map.empty())
       t.fail("base_color_map", "expected a map, whose alpha is the gloss that [object.reflectance] asks for, got none");
   }
+  if (t.has("ptm")) {
+    for (const char* key : {"reflectance", "normal_map", "indexed_map", "base_color", "base_color_map", "blend"})
+      if (t.has(key)) t.fail(key, "expected none beside [object.ptm]");
+    o.ptm = parse_ptm(t.table("ptm"), directory);
+  }
+  if (o.ptm && !o.ptm->is_brdf())
+    o.filter = t.choice<Filter>("filter", {{"nearest", Filter::kNearest}, {"bilinear", Filter::kBilinear}}, o.filter);
   if (!o.indexed_map.empty() || o.reflectance) {
     o.filter = t.choice<Filter>("filter", {{"nearest", Filter::kNearest}, {"bilinear", Filter::kBilinear}}, o.filter);
     o.mip = t.choice<MipMode>(

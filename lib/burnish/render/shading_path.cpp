@@ -1,6 +1,7 @@
 #include "burnish/render/shading_path.h"
 
 #include "burnish/render/anisotropy/reflectance_path.h"
+#include "burnish/render/ptm/ptm_path.h"
 #include "burnish/render/texture_taps.h"
 
 namespace burnish {
@@ -22,6 +23,9 @@ std::unique_ptr<ShadingPath> make_path(RenderPath path, const FrameSetup& setup)
     case RenderPath::kStrandBump:
     case RenderPath::kStrandBumpUnnormalised:
       return make_strand_path(setup, path);
+    case RenderPath::kPtm:
+    case RenderPath::kPtmBrdf:
+      return make_ptm_path(setup, path);
     default:
       return make_table_path(setup, path);
   }

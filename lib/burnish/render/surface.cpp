@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/render/torus.h"
+
 namespace burnish {
 namespace {
 
@@ -45,7 +47,8 @@ std::optional<SurfacePoint> intersect_sphere(const Surface& s, const Ray& ray) {
 }  // namespace
 
 const char* name(SurfaceType type) {
-  return type == SurfaceType::kQuad ? "quad" : type == SurfaceType::kSphere ? "sphere" : "mesh";
+  static const char* const names[] = {"quad", "sphere", "torus", "mesh"};
+  return names[int(type)];
 }
 
 void differentiate(const Ray& ray, Vec3d normal, Vec3d gradient_u, Vec3d gradient_v, SurfacePoint& p) {
@@ -60,6 +63,7 @@ void differentiate(const Ray& ray, Vec3d normal, Vec3d gradient_u, Vec3d gradien
 }
 
 std::optional<SurfacePoint> intersect(const Surface& surface, const Ray& ray) {
+  if (surface.type == SurfaceType::kTorus) return intersect_torus(surface, ray);
   return surface.type == SurfaceType::kQuad ? intersect_quad(surface, ray) : intersect_sphere(surface, ray);
 }
 

@@ -5,6 +5,7 @@
 //         that of object space everywhere.
 // sphere  around the origin; latitude and longitude, v up (+y), u = ½ facing +z and growing towards +x:
 //         p = r·(sin λ cos φ, sin φ, cos λ cos φ), u = ½ + λ/2π, v = ½ + φ/π.
+// torus   around the axis z: see torus.h.
 // mesh    triangles of a file, whose outside is where their corners turn counter-clockwise: see mesh_surface.h.
 // Only the outside is there: a ray that comes from behind passes through.
 #pragma once
@@ -16,13 +17,14 @@
 
 namespace burnish {
 
-enum class SurfaceType { kQuad, kSphere, kMesh };
-const char* name(SurfaceType type);  // "quad", "sphere", "mesh"
+enum class SurfaceType { kQuad, kSphere, kTorus, kMesh };
+const char* name(SurfaceType type);  // "quad", "sphere", "torus", "mesh"
 
 struct Surface {
   SurfaceType type = SurfaceType::kQuad;
   double size_x = 1, size_y = 1;      // quad
-  double radius = 0.5;                // sphere
+  double radius = 0.5;                // sphere; of a torus its ring
+  double tube_radius = 0.15;          // torus
   double repeat_u = 1, repeat_v = 1;  // quad: how often the map is repeated along its sides
 
   // Whether the tangent frame is the same everywhere, and object space itself.
@@ -43,7 +45,7 @@ struct SurfacePoint {
 };
 
 // The nearest point at t > 0 that is seen from outside; the ray is given in object space.
-// For quads and spheres.
+// For all but meshes.
 std::optional<SurfacePoint> intersect(const Surface& surface, const Ray& ray);
 
 // Fills the derivatives from the gradients of u and v over object space, which lie in the plane across `normal`.

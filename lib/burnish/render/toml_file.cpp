@@ -125,6 +125,27 @@ std::string TomlTable::text(const std::string& key, std::optional<std::string> f
   return node->as_string()->get();
 }
 
+bool TomlTable::boolean(const std::string& key, bool fallback) const {
+  const toml::node* node = impl_->find(key);
+  if (!node) return fallback;
+  if (!node->is_boolean()) fail(key, "expected true or false, got " + shown(*node));
+  return node->as_boolean()->get();
+}
+
+std::vector<std::string> TomlTable::texts(const std::string& key) const {
+  const toml::node* node = impl_->find(key);
+  if (!node) return {};
+  if (node->is_string()) return {text(key)};
+  const toml::array* array = node->as_array();
+  if (!array) fail(key, "expected a string or an array of strings, got " + shown(*node));
+  std::vector<std::string> texts;
+  for (const toml::node& element : *array) {
+    if (!element.is_string()) fail(key, "expected strings, got " + shown(element));
+    texts.push_back(element.as_string()->get());
+  }
+  return texts;
+}
+
 std::string TomlTable::file(const std::string& key, const std::string& directory) const {
   if (!has(key)) return {};
   const std::string path = text(key);

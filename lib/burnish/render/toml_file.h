@@ -42,6 +42,9 @@ class TomlTable {
   double number(const std::string& key, const NumberRange& range, std::optional<double> fallback = {}) const;
   int integer(const std::string& key, int least, int most, std::optional<int> fallback = {}) const;
   std::string text(const std::string& key, std::optional<std::string> fallback = {}) const;
+  bool boolean(const std::string& key, bool fallback) const;
+  // A string, or an array of strings; none where the key is absent.
+  std::vector<std::string> texts(const std::string& key) const;
   // The name of a file, relative to a directory; empty where the key is absent.
   std::string file(const std::string& key, const std::string& directory) const;
   // An array of exactly three, or of `count`, numbers.

@@ -91,7 +91,7 @@ SceneTables parse_tables(const TomlTable& t, const std::string& directory) {
   for (const auto& [key, kind] :
        {std::pair("banks_r", LookupKind::kBanksR), std::pair("blinn_phong_f", LookupKind::kBlinnPhongF),
         std::pair("ward_s", LookupKind::kWardS), std::pair("ward_e", LookupKind::kWardE),
-        std::pair("strand", LookupKind::kStrand)}) {
+        std::pair("strand", LookupKind::kStrand), std::pair("light_factor", LookupKind::kLightFactor)}) {
     const std::string file = t.file(key, directory);
     if (!file.empty()) tables[kind] = {file, nullptr};
   }
