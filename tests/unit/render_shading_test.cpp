@@ -157,5 +157,44 @@ TEST(RenderShading, TurnedLightsComeRound) {
   EXPECT_NEAR(at(330), std::cos(radians(60)), 1e-7);
 }
 
+// A disc of shade on the ground, below a sphere that a light from the side is kept off by.
+TEST(RenderShading, ObjectsCastShadowsWhereTheSceneSaysSo) {
+  Scene s = quad_scene(64);
+  s.objects[0].normal_map.clear();
+  s.objects.push_back(s.objects[0]);
+  s.objects[1].surface.type = SurfaceType::kSphere;
+  s.objects[1].surface.radius = 0.1;
+  s.objects[1].transform.translation = {-0.3, 0, 0.3};
+  const std::vector<ObjectAssets> assets(2, constant_normals(s, {0, 0, 1}));
+  std::vector<ObjectAssets> bare = assets;
+  for (ObjectAssets& a : bare) a.normals.clear();
+  for (const LightType type : {LightType::kDirectional, LightType::kPoint}) {
+    s.lights[0].type = type;
+    s.lights[0].direction = normalized(Vec3d{-1, 0, 1}), s.lights[0].position = {-3, 0, 3};
+    s.shadows = false;
+    const Frame open = render_frame(s, bare, {RenderPath::kAnalytic, 1, 0, {}});
+    s.shadows = true;
+    const Frame cast = render_frame(s, bare, {RenderPath::kAnalytic, 1, 0, {}});
+    int shaded = 0;
+    for (int y = 0; y < 64; y++)
+      for (int x = 0; x < 64; x++) {
+        const Vec3d p{(x + 0.5) / 64 - 0.5, 0.5 - (y + 0.5) / 64, 0};
+        const Vec3d centre = s.objects[1].transform.translation;
+        if (std::hypot(p.x - centre.x, p.y) < 0.12) {  // the sphere is seen, which is lit as before
+          EXPECT_EQ(*open.colour.at(x, y), *cast.colour.at(x, y));
+          continue;
+        }
+        const Vec3d l = type == LightType::kPoint ? normalized(s.lights[0].position - p) : s.lights[0].direction;
+        const bool blocked = length(cross(centre - p, l)) < 0.1;
+        shaded += blocked;
+        EXPECT_EQ(*cast.colour.at(x, y), blocked ? 0 : *open.colour.at(x, y)) << x << " " << y;
+      }
+    EXPECT_GT(shaded, 50);
+  }
+  s.lights[0].position = {-0.1, 0, 0.1};  // between ground and sphere: it shadows nothing there
+  const Frame near = render_frame(s, bare, {RenderPath::kAnalytic, 1, 0, {}});
+  EXPECT_GT(*near.colour.at(32, 32), 0);
+}
+
 }  // namespace
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #include "burnish/render/anisotropy/reflectance_path.h"
 #include "burnish/render/ptm/ptm_path.h"
+#include "burnish/render/visibility.h"
 
 namespace burnish {
 namespace {
@@ -14,7 +15,7 @@ class AnalyticPath final : public ShadingPath {
     const Object& o = setup_.scene.objects[object];
     const Vec3d position = o.transform.point_to_world(point.position);
     std::vector<Arriving> lights;
-    for (const Light& light : setup_.lights) lights.push_back(arriving(light, position));
+    for (const Light& light : setup_.lights) lights.push_back(arriving_at(setup_, light, position));
     const Illumination in{lights, setup_.scene.ambient, setup_.camera.to_viewer(position)};
     const Shaded shaded = material(object, point).shade(o.transform.normal_to_world(normal(object, point)), in);
     return blend(o.base.blend, base_sample(o, setup_.assets[object], point, Filter::kNearest).colour, shaded);

@@ -159,6 +159,7 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::str
   scene.image = image_settings(root.table("image"));
   scene.camera = camera_settings(root.table("camera"));
   scene.ambient = root.vector("ambient", kNotNegative, scene.ambient);
+  scene.shadows = root.choice<bool>("shadows", {{"none", false}, {"cast", true}}, scene.shadows);
   for (const TomlTable& t : root.tables("light")) scene.lights.push_back(light(t));
   scene.turn_axis = unit_vector(root, "turn_axis", scene.camera.up);
   for (const TomlTable& t : root.tables("object")) scene.objects.push_back(parse_object(t, directory));

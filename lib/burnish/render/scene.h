@@ -103,6 +103,7 @@ struct Scene {
   CameraSettings camera;
   Vec3d ambient;
   std::vector<Light> lights;
+  bool shadows = false;      // whether objects keep lights off each other and themselves
   Vec3d turn_axis{0, 1, 0};  // unit; frames turn the lights about it, through the world's origin
   std::vector<Object> objects;
   std::vector<Material> materials;  // one without an id, or all with ids that differ

@@ -1,6 +1,7 @@
 #include "burnish/render/anisotropy/local_view.h"
 
 #include "burnish/brdf/local_frame.h"
+#include "burnish/render/visibility.h"
 
 namespace burnish {
 namespace {
@@ -24,7 +25,7 @@ LocalView local_view(const FrameSetup& setup, std::size_t object, const SurfaceP
   const auto local = [&](Vec3d d) { return Vec3d{dot(d, frame.t), dot(d, frame.b), dot(d, frame.n)}; };
   LocalView view{local(setup.camera.to_viewer(position)), {}};
   for (const Light& light : setup.lights) {
-    const Arriving at = arriving(light, position);
+    const Arriving at = arriving_at(setup, light, position);
     view.lights.push_back({local(at.direction), at.colour});
   }
   return view;

@@ -13,6 +13,9 @@ void require_shadable(const Scene& scene, const Object& object, const ObjectAsse
     throw file_error(
         ErrorKind::kMalformed, scene.name,
         std::string("path '") + name(path) + "' needs an 'indexed_map', and " + described(object) + " has none");
+  if (scene.shadows)
+    throw file_error(ErrorKind::kMalformed, scene.name,
+                     std::string("path '") + name(path) + "' knows no shadows, got shadows = 'cast'");
   if (assets.space == NormalSpace::kTangent && !object.surface.is_flat())
     throw file_error(
         ErrorKind::kMalformed, object.indexed_map,
