@@ -27,12 +27,19 @@ class RobustFit {
 
  private:
   using Matrix = Eigen::Matrix<double, kPtmTerms, kPtmTerms>;
-  using Terms = Eigen::Matrix<double, Eigen::Dynamic, kPtmTerms>;
+  using Terms = Eigen::Matrix<double, kPtmTerms, Eigen::Dynamic>;
+  // Of a texel: its values, their residuals and weights, a light each.
+  struct Texel {
+    Eigen::VectorXd grey, residual, weight, weighted;
+    std::vector<double> magnitude;
+  };
   Matrix normal(const Eigen::VectorXd& weights) const;
-  Eigen::VectorXd weights(const Eigen::VectorXd& grey) const;
+  void refit(Texel& t) const;
+  void find_weights(Texel& t) const;
 
-  Terms terms_;
-  Eigen::MatrixXd pseudo_inverse_;
+  Terms terms_, pseudo_inverse_;  // a column a light
+  Eigen::Matrix<double, kPtmTerms * kPtmTerms, Eigen::Dynamic>
+      products_;  // of terms, of which the weighted sum makes BᵀWB
   double ridge_;
 };
 
