@@ -31,16 +31,17 @@ PYTHON
   succeeds burnish-ptm fit l.lp -o a.ptm --report a.json
   succeeds burnish-ptm fit l.lp -o a.exr --report b.json --type rgb --leave-one-out
   succeeds burnish-ptm fit l.lp -o a/ --report c.json --type rgb
-  fits_schema ptm a.json b.json c.json
+  succeeds burnish-ptm fit l.lp -o b.exr --report d.json
+  fits_schema ptm a.json b.json c.json d.json
   [ "$(head -c 26 a.ptm | tr '\n' ' ')" = "PTM_1.2 PTM_FORMAT_LRGB 40" ]
   [ "$(value images a.json) $(value width a.json) $(value height a.json)" = "12 40 30" ]
   [ "$(value type a.json) $(value type b.json)" = "lrgb rgb" ]
   # What floats hold is nearer than what bytes hold, and what all photos say nearer than what the others say.
   "$PYTHON3" - <<'PYTHON'
 import json, math
-a, b, c = (json.load(open(f))["stats"] for f in ("a.json", "b.json", "c.json"))
+a, b, c, d = (json.load(open(f"{name}.json"))["stats"] for name in "abcd")
 assert 0 < b["rmse"] < c["rmse"] < 1.3 * b["rmse"], (b, c)
-assert b["rmse"] < a["rmse"] < 30
+assert b["rmse"] < d["rmse"] < a["rmse"] < 30, (b, d, a)
 assert abs(a["psnr_db"] - 20 * math.log10(255 / a["rmse"])) < 1e-9
 assert b["rmse"] < b["leave_one_out_rmse"] < 40 and "leave_one_out_rmse" not in a
 PYTHON

@@ -90,7 +90,7 @@ constexpr int kSquarings = 8;
     larger_of(x, zero);
     larger_of(most, x);
   }
-  for (Lanes& x : v) x = most > 0.0f ? x * (255.0f / most) : zero + 255.0f;
+  for (Lanes& x : v) x = most > x ? x / most * 255.0f : zero + 255.0f;
 }
 
 // Of kLanes texels, the first of which stands at `c[channel][term]`.
