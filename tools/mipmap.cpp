@@ -6,6 +6,7 @@
 #include "burnish/core/error.h"
 #include "burnish/core/wording.h"
 #include "burnish/material/material_textures.h"
+#include "burnish/ptm/files/ptm_file.h"
 
 using namespace burnish;
 using namespace burnish::cli;
@@ -14,21 +15,22 @@ namespace {
 
 void add_options(CLI::App& app, MipmapOptions& o) {
   app.add_option("MAP", o.input,
-                 "Indexed normal map or normal map, '-' being standard input, or the PREFIX of material textures")
+                 "Indexed normal map, normal map or polynomial texture map, '-' being standard input, or the PREFIX of "
+                 "material textures or PREFIX/ of textures of a polynomial texture map")
       ->required();
   o.output.add_to(app);
   app.get_option("--output")
       ->required(false)
       ->description(
           "File to write: EXR, PNG, KTX2 or DDS of an indexed map; EXR, or of one level PNG or TIFF, of a normal "
-          "map; a PREFIX of EXR files of material textures. '-' is standard output");
+          "map; a PREFIX of EXR files of material textures; EXR of a polynomial texture map. '-' is standard output");
   add_choice<std::optional<MapKind>>(app, "--kind", o.kind,
                                      {{"indexed", MapKind::kIndexed},
                                       {"normal", MapKind::kNormal},
                                       {"material", MapKind::kMaterial},
                                       {"ptm", MapKind::kPtm},
                                       {"colour", MapKind::kColour}},
-                                     "What MAP is (default: told from it); ptm and colour are not there yet");
+                                     "What MAP is (default: told from it); colour is not there yet");
   app.add_option("--levels", o.levels, "How many levels, with the base (default all)")
       ->check(in_range(1, 32))
       ->type_name("N");
@@ -65,7 +67,7 @@ bool is_material_prefix(const std::string& input) {
 
 MapKind kind_of(const FileRef& file) {
   if (is_indexed_map(file) || has_own_palette(file)) return MapKind::kIndexed;
-  if (file.name.ends_with(".ptm")) return MapKind::kPtm;
+  if (is_ptm(file)) return MapKind::kPtm;
   const ImageReader reader(file);
   if (reader.text("burnish:ptm")) return MapKind::kPtm;
   if (reader.text("burnish:model"))
@@ -92,23 +94,30 @@ Json mip(Tool& tool, MipmapOptions& o) {
     require_options_of(tool.app(), MapKind::kMaterial);
     return mip_material(tool, o);
   }
+  if (o.kind.value_or(MapKind::kPtm) == MapKind::kPtm && is_texture_prefix(o.input)) {
+    require_options_of(tool.app(), MapKind::kPtm);
+    return mip_ptm(tool, o, open_input(tool, o.input));
+  }
   const FileRef file = tool.read(o.input);
   const MapKind kind = o.kind ? *o.kind : kind_of(file);
-  for (const auto& [later, word] : {std::pair{MapKind::kPtm, "ptm"}, {MapKind::kColour, "colour"}})
-    if (kind == later) throw Error(ErrorKind::kUnsupported, std::string("--kind ") + word + " is not there yet");
+  if (kind == MapKind::kColour) throw Error(ErrorKind::kUnsupported, "--kind colour is not there yet");
   require_options_of(tool.app(), kind);
+  if (kind == MapKind::kPtm) return mip_ptm(tool, o, open_input(file));
   return kind == MapKind::kIndexed ? mip_indices(tool, o, file) : mip_normals(tool, o, file);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tool tool({"burnish-mipmap", "The mip chain of an indexed normal map, a normal map, or the textures of a material.",
-             "  burnish-mipmap rocks_q.exr -o rocks_m.exr\n"
-             "  burnish-mipmap rocks_q.exr -o rocks_m.dds --palette-output rocks_p.exr\n"
-             "  burnish-mipmap rocks_q.png --split 'rocks_%d.png' --source rocks_n.png\n"
-             "  burnish-mipmap rocks_n.png -o rocks_m.exr --roughness 0.3 --roughness-output rocks_r.exr\n"
-             "  burnish-mipmap brushed -o brushed_m -d float"});
+  Tool tool(
+      {"burnish-mipmap",
+       "The mip chain of an indexed normal map, a normal map, a polynomial texture map, or the textures of a material.",
+       "  burnish-mipmap rocks_q.exr -o rocks_m.exr\n"
+       "  burnish-mipmap rocks_q.exr -o rocks_m.dds --palette-output rocks_p.exr\n"
+       "  burnish-mipmap rocks_q.png --split 'rocks_%d.png' --source rocks_n.png\n"
+       "  burnish-mipmap rocks_n.png -o rocks_m.exr --roughness 0.3 --roughness-output rocks_r.exr\n"
+       "  burnish-mipmap brushed -o brushed_m -d float\n"
+       "  burnish-mipmap coin.ptm --split 'coin_%d/'"});
   MipmapOptions options;
   add_options(tool.app(), options);
   return tool.run(argc, argv, [&] { return mip(tool, options); });

@@ -11,6 +11,7 @@
 #include "cli/number_or_map.h"
 #include "cli/options.h"
 #include "cli/tool.h"
+#include "ptm/ptm.h"
 
 namespace burnish::cli {
 
@@ -60,5 +61,6 @@ class LevelFiles {
 Json mip_indices(Tool& tool, const MipmapOptions& options, const FileRef& file);
 Json mip_normals(Tool& tool, const MipmapOptions& options, const FileRef& file);
 Json mip_material(Tool& tool, const MipmapOptions& options);
+Json mip_ptm(Tool& tool, const MipmapOptions& options, const PtmInput& map);
 
 }  // namespace burnish::cli

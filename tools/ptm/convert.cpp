@@ -20,7 +20,7 @@ Verb add_convert(Tool& tool) {
   return {&verb, [o, &tool]() -> Json {
             const PtmInput map = open_input(tool, o->input);
             const PtmShape& shape = map.rows->shape();
-            PtmTarget(tool, o->output).write(*map.rows, uniform_normal_matrix());
+            PtmTarget(tool, o->output).write(*map.rows, uniform_normal_matrix(), map.members());
             return {{"width", shape.width}, {"height", shape.height}, {"type", name(shape.type)}};
           }};
 }

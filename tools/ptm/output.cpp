@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "burnish/core/error.h"
+#include "burnish/core/image_chain.h"
 #include "burnish/ptm/files/open_ptm.h"
 #include "burnish/ptm/files/ptm_exr.h"
 #include "burnish/ptm/files/ptm_file.h"
@@ -62,6 +63,19 @@ void PtmTarget::write(const PtmRows& rows, const std::array<PtmCoefficients<doub
   if (type_ == Type::kExr) write_ptm_exr(file_, rows);
   else if (type_ == Type::kTextures) write_ptm_textures(textures_, rows, normal, also);
   else write_ptm(file_, rows.bytes() ? *rows.bytes() : rounded(rows, normal), jpeg_quality_);
+}
+
+void PtmTarget::write(std::span<const Ptm> levels, std::span<const PtmBytes> bytes, const Attributes& also) const {
+  if (type_ == Type::kExr) write_ptm_exr_chain(file_, levels);
+  else write(PtmInBytes(bytes[0]), {}, also);
+}
+
+void PtmTarget::require_levels(const PtmShape& base, int count) const {
+  if (type_ == Type::kExr) return require_chain(file_, base.width, base.height, count);
+  if (count > 1)
+    throw file_error(
+        ErrorKind::kUnsupported, type_ == Type::kPtm ? file_.name : textures_.json.name,
+        "holds one level, not " + std::to_string(count) + " (EXR holds all; --split writes a file or PREFIX/ a level)");
 }
 
 std::unique_ptr<PtmRows> PtmTarget::stored() const {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "burnish/core/attributes.h"
@@ -36,9 +37,14 @@ struct PtmInput {
   std::string format;  // OpenPtm's, or "textures"
   PtmType made_of;     // of textures, which are RGB, what they were made of
   Json description;    // of textures their ptm.json
+
+  // What ptm.json of textures made of it says beside their size and range.
+  Attributes members() const;
 };
 void add_input(CLI::App& verb, std::string& path);
 PtmInput open_input(Tool& tool, const std::string& path);
+PtmInput open_input(const FileRef& file);  // .ptm or .exr
+bool is_texture_prefix(const std::string& path);
 
 // -o of what writes coefficients.
 struct PtmOutput {
@@ -57,6 +63,10 @@ class PtmTarget {
   // `normal`: G of the lights (light_matrix.h), for what is rounded. `also`: further members of ptm.json.
   void write(const PtmRows& rows, const std::array<PtmCoefficients<double>, kPtmTerms>& normal,
              const Attributes& also = {}) const;
+  // A mip chain, in floats and in bytes; .exr holds several levels.
+  void write(std::span<const Ptm> levels, std::span<const PtmBytes> bytes, const Attributes& also) const;
+  // kUnsupported for more levels than it holds.
+  void require_levels(const PtmShape& base, int count) const;
   // What was written, as a reader sees it.
   std::unique_ptr<PtmRows> stored() const;
 

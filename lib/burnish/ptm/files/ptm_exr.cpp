@@ -8,9 +8,10 @@
 
 #include "burnish/core/checked_output.h"
 #include "burnish/core/error.h"
+#include "burnish/core/image_chain.h"
 #include "burnish/core/image_io.h"
-#include "burnish/core/texel_check.h"
-#include "burnish/core/wording.h"
+#include "burnish/core/number_text.h"
+#include "burnish/ptm/ptm_band.h"
 
 namespace burnish {
 namespace {
@@ -25,7 +26,8 @@ std::vector<std::string> channel_names(PtmType type) {
   return names;
 }
 
-int rows_at_once(const PtmShape& shape) { return std::clamp((1 << 16) / shape.width, 1, shape.height); }
+// Whole blocks of the compression, 16 rows.
+int rows_at_once(const PtmShape& shape) { return std::clamp((1 << 18) / shape.width / 16 * 16, 16, 1 << 18); }
 
 PtmShape shape_of(const ImageReader& reader) {
   PtmShape shape{PtmType::kLrgb, reader.width(), reader.height()};
@@ -64,19 +66,23 @@ class ExrRows : public PtmRows {
       for (int k = 0; k < wanted; k++) *coefficients++ = texel[from_[k]];
       for (int k = 0; k < colours; k++) *colour++ = texel[from_[wanted + k]];
     }
-    require_finite(first, band);
+    require_values(first, band);
   }
 
  private:
-  void require_finite(int first, const std::vector<float>& band) const {
-    const std::size_t stored = reader_.channels();
+  // Coefficients are finite, colours from 0 to 255.
+  void require_values(int first, const std::vector<float>& band) const {
+    const std::size_t stored = reader_.channels(), terms = std::size_t(shape().polynomials()) * kPtmTerms;
     for (std::size_t i = 0; i < band.size() / stored; i++)
-      for (const int c : from_)
-        if (const float got = band[i * stored + c]; !std::isfinite(got))
-          throw file_error(ErrorKind::kMalformed, reader_.name(),
-                           "expected finite numbers, got " + number_text(got) + " at column " +
-                               std::to_string(i % std::size_t(shape().width)) + ", row " +
-                               std::to_string(first + i / std::size_t(shape().width)));
+      for (std::size_t k = 0; k < from_.size(); k++) {
+        const float got = band[i * stored + from_[k]];
+        if (k < terms ? std::isfinite(got) : got >= 0 && got <= 255) continue;
+        throw file_error(ErrorKind::kMalformed, reader_.name(),
+                         std::string("expected ") + (k < terms ? "finite coefficients" : "colours from 0 to 255") +
+                             ", got " + number_text(got) + " at column " +
+                             std::to_string(i % std::size_t(shape().width)) + ", row " +
+                             std::to_string(first + i / std::size_t(shape().width)));
+      }
   }
 
   mutable std::mutex mutex_;
@@ -84,29 +90,53 @@ class ExrRows : public PtmRows {
   std::vector<int> from_;  // where each wanted channel is stored
 };
 
+OIIO::ImageSpec spec_of(const detail::CheckedOutput& out, const PtmShape& shape) {
+  const std::vector<std::string> channels = channel_names(shape.type);
+  OIIO::ImageSpec spec = out.spec(SampleType::kFloat, shape.width, shape.height, int(channels.size()),
+                                  {{kAttribute, std::string(name(shape.type))}});
+  spec.channelnames = channels;
+  return spec;
+}
+
+// A texel's coefficients, then its colour.
+std::vector<float> interleaved(const PtmBand& band) {
+  const int values = band.polynomials() * kPtmTerms, colours = band.colours();
+  std::vector<float> samples;
+  samples.reserve(band.texels() * (values + colours));
+  for (std::size_t i = 0; i < band.texels(); i++) {
+    samples.insert(samples.end(), &band.coefficients[i * values], &band.coefficients[i * values] + values);
+    samples.insert(samples.end(), band.colour.begin() + i * colours, band.colour.begin() + (i + 1) * colours);
+  }
+  return samples;
+}
+
 }  // namespace
 
 void write_ptm_exr(const FileRef& file, const PtmRows& rows) {
   const PtmShape& shape = rows.shape();
-  const std::vector<std::string> channels = channel_names(shape.type);
   detail::CheckedOutput out(file, FileType::kExr);
-  auto spec = out.spec(SampleType::kFloat, shape.width, shape.height, int(channels.size()),
-                       {{kAttribute, std::string(name(shape.type))}});
-  spec.channelnames = channels;
-  spec.alpha_channel = spec.z_channel = -1;
+  const OIIO::ImageSpec spec = spec_of(out, shape);
   out.open(spec);
-  const int at_once = rows_at_once(shape), values = shape.polynomials() * kPtmTerms, colours = shape.colours();
-  std::vector<float> coefficients, colour, band;
+  const int at_once = rows_at_once(shape);
   for (int y = 0; y < shape.height; y += at_once) {
     const int count = std::min(at_once, shape.height - y);
-    const std::size_t texels = std::size_t(count) * shape.width;
-    coefficients.resize(texels * values), colour.resize(texels * colours), band.clear();
-    rows.read(y, count, coefficients.data(), colour.data());
-    for (std::size_t i = 0; i < texels; i++) {
-      band.insert(band.end(), coefficients.begin() + i * values, coefficients.begin() + (i + 1) * values);
-      band.insert(band.end(), colour.begin() + i * colours, colour.begin() + (i + 1) * colours);
-    }
-    out.require(out.image().write_scanlines(y, y + count, 0, spec.format, band.data()));
+    const std::vector<float> samples = interleaved(PtmBand(rows, y, count));
+    out.require(out.image().write_scanlines(y, y + count, 0, spec.format, samples.data()));
+  }
+  out.close();
+}
+
+void write_ptm_exr_chain(const FileRef& file, std::span<const Ptm> levels) {
+  if (levels.size() == 1) return write_ptm_exr(file, PtmInMemory(levels[0]));
+  require_chain(file, levels[0].width, levels[0].height, int(levels.size()));
+  detail::CheckedOutput out(file, FileType::kExr);
+  for (const Ptm& level : levels) {
+    OIIO::ImageSpec spec = spec_of(out, level);
+    spec.tile_width = spec.tile_height = 64;
+    spec.attribute("textureformat", "Plain Texture");  // mip levels, rounded down
+    out.open(spec, &level == &levels[0] ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel);
+    const std::vector<float> samples = interleaved(PtmBand(PtmInMemory(level), 0, level.height));
+    out.require(out.image().write_image(spec.format, samples.data()));
   }
   out.close();
 }

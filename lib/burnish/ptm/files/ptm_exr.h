@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "burnish/core/file_ref.h"
 #include "burnish/ptm/ptm_rows.h"
@@ -15,6 +16,9 @@ namespace burnish {
 
 // kIo where it cannot be written.
 void write_ptm_exr(const FileRef& file, const PtmRows& rows);
+// The levels of a mip chain, of one type and of the sizes of core/mip.h: one, or all. kUnsupported for any other
+// number.
+void write_ptm_exr_chain(const FileRef& file, std::span<const Ptm> levels);
 // kMalformed where the attribute or channels are others, and from read() for NaN and infinity.
 std::unique_ptr<PtmRows> open_ptm_exr(const FileRef& file);
 

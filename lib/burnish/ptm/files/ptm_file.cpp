@@ -80,6 +80,13 @@ void write_raw(const PtmBytes& ptm, const Write& write) {
 
 }  // namespace
 
+bool is_ptm(const FileRef& file) {
+  require_readable(file);
+  char head[4] = {};
+  std::ifstream(file.path, std::ios::binary).read(head, sizeof head);
+  return std::string_view(head, sizeof head) == "PTM_";
+}
+
 PtmFile read_ptm(const FileRef& file) {
   const std::string bytes = whole_file(file);
   HeaderText header(bytes, file.name);

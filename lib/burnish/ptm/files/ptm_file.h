@@ -18,6 +18,8 @@ struct PtmFile : PtmBytes {
   std::string format;  // "PTM_1.2 LRGB"
 };
 
+// Whether it begins as one does. kIo where it cannot be read.
+bool is_ptm(const FileRef& file);
 // kIo where it cannot be read, kMalformed for what is no such file, ends early, says sizes that it does not hold
 // or contradicts itself;
 // kUnsupported, by name, for the other formats.
