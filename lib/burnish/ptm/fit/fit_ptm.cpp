@@ -30,7 +30,7 @@ struct ErrorSum {
 // Rows of a map as PtmRows gives them, with room for whole blocks.
 struct Rows {
   std::vector<float> coefficients, colour;
-  Rows(const PtmShape& shape, int rows) {
+  void resize(const PtmShape& shape, int rows) {
     const std::size_t texels = (std::size_t(shape.width) * rows + kTexels - 1) / kTexels * kTexels;
     coefficients.resize(texels * shape.polynomials() * kPtmTerms);
     colour.resize(texels * shape.colours());
@@ -146,9 +146,10 @@ PtmFit fit_ptm(const Capture& photos, const LightMatrix& lights, const PtmFitOpt
       std::make_unique<CoefficientStore>(shape, room_for_coefficients(shape, options.memory), options.directory);
   const Fitter fitter(lights, options);
   ErrorSum left_out;
+  Rows fitted;
   photos.for_each_band(
       [&](const PhotoBand& band) {
-        Rows fitted(shape, band.rows);
+        fitted.resize(shape, band.rows);
         left_out += for_each_block(band, shape.width, [&](auto p, std::size_t first, int texels) {
           return fitter.fit(p, first, texels, fitted);
         });
@@ -163,9 +164,10 @@ PtmFit fit_ptm(const Capture& photos, const LightMatrix& lights, const PtmFitOpt
 double rms_error(const PtmRows& rows, const Capture& photos, const LightMatrix& lights, const Progress& progress) {
   const PtmShape& shape = rows.shape();
   ErrorSum all;
+  Rows of;
   photos.for_each_band(
       [&](const PhotoBand& band) {
-        Rows of(shape, band.rows);
+        of.resize(shape, band.rows);
         rows.read(band.first, band.rows, of.coefficients.data(), of.colour.data());
         all += for_each_block(band, shape.width, [&](auto p, std::size_t first, int texels) {
           SampleTerms terms;

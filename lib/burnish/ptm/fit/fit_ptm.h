@@ -35,8 +35,8 @@ struct PtmFit {
   std::optional<double> leave_one_out_rmse;
 };
 
-// kMalformed where one is to be left out and there is none that the others determine. In parallel; no result depends
-// on it.
+// `lights`: of the photographs, in their order. kMalformed where one is to be left out and there is none that the others
+// determine. In parallel; no result depends on it.
 PtmFit fit_ptm(const Capture& photos, const LightMatrix& lights, const PtmFitOptions& options,
                const Progress& progress = {});
 
