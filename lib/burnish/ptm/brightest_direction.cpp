@@ -71,6 +71,7 @@ BrightestDirection brightest_direction(const PtmCoefficients<double>& a) {
   }
   const double u = x0 * ex - x1 * ey, v = x0 * ey + x1 * ex;
   out.direction = {u, v, out.on_horizon ? 0 : std::sqrt(std::max(0.0, 1 - u * u - v * v))};
+  out.on_horizon = out.direction.z == 0;
   return out;
 }
 

@@ -126,9 +126,12 @@ struct Encoder {
   }
 };
 
-template <typename Codec>
-void require(bool ok, const Codec& codec) {
-  if (!ok) throw std::runtime_error(codec.failure.message);
+void require(bool ok, const Decoder& decoder) {
+  if (!ok)
+    throw std::runtime_error(std::string("expected a whole JPEG, got a damaged one: ") + decoder.failure.message);
+}
+void require(bool ok, const Encoder& encoder) {
+  if (!ok) throw std::runtime_error(encoder.failure.message);
 }
 
 }  // namespace

@@ -48,7 +48,9 @@ std::vector<int> HeaderText::integers(const char* what, std::size_t count, int l
 
 std::string_view HeaderText::body(const char* last) {
   while (at_ < bytes_.size() && is_blank(bytes_[at_]) && bytes_[at_] != '\n') at_++;
-  if (at_ == bytes_.size() || bytes_[at_] != '\n') fail(std::string("expected the end of a line behind the ") + last);
+  if (at_ == bytes_.size() || bytes_[at_] != '\n')
+    fail(std::string("expected the end of a line behind the ") + last + ", got " +
+         (at_ == bytes_.size() ? "the end of the file" : "'" + excerpt(std::string(bytes_.substr(at_, 8))) + "'"));
   return bytes_.substr(at_ + 1);
 }
 
