@@ -5,6 +5,7 @@
 
 #include "burnish/ptm/fit/fit_ptm.h"
 #include "burnish/ptm/light_list.h"
+#include "burnish/ptm/round_ptm.h"
 #include "ptm/ptm.h"
 
 namespace burnish::cli {
@@ -34,12 +35,17 @@ Json fit(Tool& tool, FitVerbOptions& o) {
   const Progress progress = tool.progress();
   const Capture photos(std::move(files), o.fit.memory, o.fit.directory);
   PtmFit fitted = fit_ptm(photos, matrix, o.fit, part_of(progress, 0, with_error ? 0.6 : 1));
+  // One after the other, so that memory holds one of them: coefficients, and what is stored of them.
+  if (target.keeps_bytes()) fitted.rows = std::make_unique<PtmInBytes>(rounded(*fitted.rows, matrix.normal));
   target.write(*fitted.rows, matrix.normal);
   Json stats{
       {"images", photos.count()}, {"width", photos.width()}, {"height", photos.height()}, {"type", name(o.fit.type)}};
   if (with_error) {
-    fitted.rows.reset();  // the file's own take its place in memory
-    const double rmse = rms_error(*target.stored(), photos, matrix, part_of(progress, 0.6, 1));
+    if (!target.keeps_bytes()) {
+      fitted.rows.reset();
+      fitted.rows = target.stored();
+    }
+    const double rmse = rms_error(*fitted.rows, photos, matrix, part_of(progress, 0.6, 1));
     stats["rmse"] = rmse;
     stats["psnr_db"] = rmse > 0 ? Json(20 * std::log10(255 / rmse)) : Json();
   }

@@ -67,6 +67,8 @@ class PtmTarget {
   void write(std::span<const Ptm> levels, std::span<const PtmBytes> bytes, const Attributes& also) const;
   // kUnsupported for more levels than it holds.
   void require_levels(const PtmShape& base, int count) const;
+  // Whether bytes are stored as they are: in a .ptm without JPEG planes.
+  bool keeps_bytes() const { return type_ == Type::kPtm && jpeg_quality_ == 0; }
   // What was written, as a reader sees it.
   std::unique_ptr<PtmRows> stored() const;
 
