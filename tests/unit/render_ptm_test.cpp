@@ -49,7 +49,7 @@ struct PtmScene {
 PtmScene spatial(const Ptm& ptm, Vec3d light, bool srgb = false) {
   PtmScene s{quad_scene(ptm.width), {}};
   s.scene.objects[0].normal_map.clear();
-  s.scene.objects[0].ptm = PtmSource{"map.ptm", "", "", srgb};
+  s.scene.objects[0].ptm = PtmSource{"map.ptm", "", "", {}, srgb};
   s.scene.tables[LookupKind::kLightFactor] = table_of(LookupKind::kLightFactor, 1024, 1);
   s.scene.lights[0].direction = normalized(light);
   s.assets.ptm.emplace();
@@ -60,7 +60,7 @@ PtmScene spatial(const Ptm& ptm, Vec3d light, bool srgb = false) {
 PtmScene brdf_scene(const std::string& model, const PtmTexture& map, double noise_factor) {
   PtmScene s{sphere_scene(64), {}};
   s.scene.objects[0].normal_map.clear();
-  s.scene.objects[0].ptm = PtmSource{"map/", "", model, false};
+  s.scene.objects[0].ptm = PtmSource{"map/", "", model, {}, false};
   s.scene.tables[LookupKind::kLightFactor] = table_of(LookupKind::kLightFactor, 1024, 1);
   s.scene.lights[0].direction = normalized(Vec3d{-0.4, 0.5, 1});
   s.assets.ptm = PtmAssets{map, {}, model_brdf(model), BrdfCoordinates::kHalfDifference, noise_factor};

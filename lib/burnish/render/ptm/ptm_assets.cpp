@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "burnish/brdf/limited_brdf.h"
 #include "burnish/brdf/measured/measured_brdf.h"
 #include "burnish/brdf/model_brdf.h"
 #include "burnish/core/error.h"
@@ -79,6 +80,7 @@ PtmAssets load_ptm(const PtmSource& source) {
   out.map = texture_of(*textures.rows);
   read_description(source.map, textures.description.text, out);
   out.brdf = is_model_source(source.brdf) ? model_brdf(source.brdf) : read_measured_brdf(source.brdf);
+  if (source.ceiling) out.brdf = std::make_shared<const LimitedBrdf>(std::move(out.brdf), *source.ceiling);
   return out;
 }
 

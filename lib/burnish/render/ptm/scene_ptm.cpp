@@ -26,6 +26,7 @@ PtmSource parse_ptm(const TomlTable& t, const std::string& directory) {
     if (!is_model_source(p.brdf)) p.brdf = t.file("brdf", directory);
     if (!p.map.ends_with('/'))
       t.fail("map", "expected the PREFIX/ of textures beside 'brdf', whose ptm.json says what they are addressed by");
+    if (t.has("ceiling")) p.ceiling = t.number("ceiling", kPositive);
     p.srgb = false;
   } else {
     p.reference = t.file("reference", directory);

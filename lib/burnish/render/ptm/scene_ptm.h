@@ -7,6 +7,7 @@
 // with the light factor F (light_factor.h) of the scene's table.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct PtmSource {
   std::string map;        // .ptm, .exr or the PREFIX/ of textures
   std::string reference;  // spatial: the coefficients that the twin evaluates; empty: the map's own
   std::string brdf;  // of a BRDF PTM: the model or the file of measurements that the twin evaluates; empty: spatial
-  bool srgb = true;  // spatial: whether values are those of photographs in sRGB, rather than linear
+  std::optional<double> ceiling;  // of that reflectance, as the map was made with; none: it is evaluated as it is
+  bool srgb = true;               // spatial: whether values are those of photographs in sRGB, rather than linear
 
   bool is_brdf() const { return !brdf.empty(); }
   // All that it names.
