@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <random>
 
 #include "burnish/ptm/basis.h"
 #include "burnish/ptm/light_list.h"
@@ -49,6 +50,28 @@ TEST(LightList, RefusalsNameFileAndLine) {
   EXPECT_ERROR(read_light_list(FileRef("nothing.lp")), ErrorKind::kIo, "'nothing.lp'");
 }
 
+// Whatever bytes change, a list is read or refused.
+TEST(LightList, DamagedListsAreErrorsAtMost) {
+  std::string whole = "12\n";
+  for (int i = 0; i < 12; i++) whole += "photo " + std::to_string(i) + ".jpg 0.1 -0." + std::to_string(i) + " 0.75\n";
+  std::mt19937 random(3);
+  int refused = 0, read = 0;
+  for (int i = 0; i < 1000; i++) {
+    std::string text = whole;
+    for (unsigned n = random() % 3 + 1; n > 0; n--) text[random() % text.size()] = char(random());
+    if (i % 10 == 0) text.resize(random() % text.size());
+    try {
+      for (const LitPhoto& photo : read_back(text)) EXPECT_NEAR(length(photo.light), 1, 1e-12) << text;
+      read++;
+    } catch (const Error& error) {
+      EXPECT_EQ(int(error.kind()), int(ErrorKind::kMalformed)) << error.what();
+      refused++;
+    }
+  }
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(read, 100);
+}
+
 // Well spread over the upper half of the sphere.
 std::vector<Vec3d> dome(int count) {
   std::vector<Vec3d> out;
@@ -81,6 +104,41 @@ TEST(LightMatrix, ARidgeIsTheRegularisedSolution) {
       for (int c = 0; c < kPtmTerms; c++) sum += m.normal[r][c] * m.pseudo_inverse[i][c];
       EXPECT_NEAR(sum, m.terms[i][r], 1e-12);
     }
+}
+
+// The means of products of terms over many directions, uniform in z and in angle.
+TEST(LightMatrix, UniformLightsAreThoseOfTheHemisphere) {
+  constexpr int kCount = 200000;
+  std::array<PtmCoefficients<double>, kPtmTerms> sum{};
+  for (int i = 0; i < kCount; i++) {
+    const double z = (i + 0.5) / kCount, r = std::sqrt(1 - z * z), angle = 2.399963229728653 * i;
+    const auto terms = ptm_terms(r * std::cos(angle), r * std::sin(angle));
+    for (int j = 0; j < kPtmTerms; j++)
+      for (int k = 0; k < kPtmTerms; k++) sum[j][k] += terms[j] * terms[k] / kCount;
+  }
+  const auto closed = uniform_normal_matrix();
+  for (int j = 0; j < kPtmTerms; j++)
+    for (int k = 0; k < kPtmTerms; k++) EXPECT_NEAR(closed[j][k], sum[j][k], 1e-5) << j << " " << k;
+}
+
+TEST(LightMatrix, TheFactorOfAMatrixMakesItAgain) {
+  std::vector<Vec3d> ring;
+  for (int i = 0; i < 30; i++) ring.push_back({0.6 * std::cos(i), 0.6 * std::sin(i), 0.8});
+  const auto remade = [](const auto& g) {
+    const auto r = upper_factor(g);
+    double most = 0;
+    for (int i = 0; i < kPtmTerms; i++)
+      for (int j = 0; j < kPtmTerms; j++) {
+        double sum = 0;
+        for (int k = 0; k < kPtmTerms; k++) sum += r[k][i] * r[k][j];
+        most = std::max(most, std::abs(sum - g[i][j]));
+        EXPECT_TRUE(j >= i || r[i][j] == 0);
+      }
+    return most;
+  };
+  EXPECT_LT(remade(light_matrix(dome(20), 0, "l.lp").normal), 1e-12);
+  EXPECT_LT(remade(light_matrix(ring, 0.01, "l.lp").normal), 1e-6);  // singular
+  EXPECT_TRUE(std::isfinite(remade(std::array<PtmCoefficients<double>, kPtmTerms>{})));
 }
 
 TEST(LightMatrix, LightsThatDoNotDecideAreRefused) {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <random>
+
 #include "burnish/ptm/photos/capture.h"
 #include "expect_error.h"
 #include "ptm_capture_fixture.h"
@@ -160,6 +162,32 @@ TEST(Capture, JpegCutShortIsRefused) {
     testing::write_bytes(dir / "short.jpg", bytes.substr(0, bytes.size() - 2));
     EXPECT_ERROR(only(dir / "short.jpg"), ErrorKind::kMalformed, "short.jpg': ");
   }
+}
+
+// Whatever bytes change, the photograph is read or refused.
+TEST(Capture, DamagedFilesAreErrorsAtMost) {
+  const ScratchDir dir;
+  std::mt19937 random(5);
+  int refused = 0, read = 0;
+  for (const bool progressive : {false, true}) {
+    testing::write_jpeg(dir / "whole.jpg", kWidth, gradients(), progressive);
+    const std::string whole = testing::bytes_of(dir / "whole.jpg");
+    for (int i = 0; i < 300; i++) {
+      std::string bytes = whole;
+      for (unsigned n = random() % 4 + 1; n > 0; n--) bytes[2 + random() % (bytes.size() - 2)] = char(random());
+      testing::write_bytes(dir / "a.jpg", bytes);
+      try {
+        const FileRef file = dir / "a.jpg";
+        if (const PhotoForm form = open_photo(file)->form(); form.width > 4096 || form.height > 4096) continue;
+        read += all_of(Capture({file}, 1 << 20, dir.path()))[0].size() > 0;
+      } catch (const Error& error) {
+        EXPECT_TRUE(error.kind() == ErrorKind::kMalformed || error.kind() == ErrorKind::kUnsupported) << error.what();
+        refused++;
+      }
+    }
+  }
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(read, 100);
 }
 
 }  // namespace
