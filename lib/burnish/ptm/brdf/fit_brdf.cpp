@@ -12,7 +12,7 @@
 namespace burnish {
 namespace {
 
-constexpr int kPoints = 48;  // along each side of a cap
+constexpr int kPoints = 32;  // along each side of a cap
 constexpr double kUnseen = 1e-4, kWhite = 255;
 
 using Matrix6 = Eigen::Matrix<double, kPtmTerms, kPtmTerms>;

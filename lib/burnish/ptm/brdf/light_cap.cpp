@@ -38,6 +38,7 @@ void LightCaps::points_at(double x, double y, std::vector<CapPoint>& out) const 
   const double sine = std::hypot(x, y);
   const Vec3d down = sine > 0 ? Vec3d{x / sine, y / sine, 0} : Vec3d{1, 0, 0};
   const Vec3d towards = is_half ? n * sine - down * given.z : down;  // from H to the normal
+  const HalfFrame frame = half_frame(middle);
   const double widest = is_half ? std::atan2(given.z, sine) : kPi / 2;
   for (std::size_t i = 0; i < place_.size(); i++)
     for (std::size_t k = 0; k < place_.size(); k++) {
@@ -45,9 +46,8 @@ void LightCaps::points_at(double x, double y, std::vector<CapPoint>& out) const 
       const double solid_angle = widest * weight_[i] * weight_[k];
       CapPoint p{d, given, d.x, d.y, solid_angle};  // light-view
       if (is_half) {
-        const HalfFrame f = half_frame(middle);
         p.v = middle * (2 * dot(middle, d)) - d;
-        p.u = dot(d, f.t), p.w = dot(d, f.b);
+        p.u = dot(d, frame.t), p.w = dot(d, frame.b);
       } else if (coordinates_ == BrdfCoordinates::kDifferenceHalf) {
         const HalfFrame f = half_frame(d);
         p.l = f.t * x + f.b * y + d * given.z;
