@@ -14,6 +14,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
+#include "burnish/core/shell_quoted.h"
 #include "burnish/palette/library_versions.h"
 #include "cli/depfile.h"
 #include "cli/exit_code.h"
@@ -27,16 +28,6 @@ extern "C" void remove_temporaries_and_die(int signal) {
   OutputSet::remove_all_temporaries();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
-}
-
-std::string shell_quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789-_=+./:,@%") == std::string::npos;
-  if (plain) return word;
-  std::string out = "'";
-  for (char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
 }
 
 std::string one_line(std::string text) {

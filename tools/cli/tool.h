@@ -48,6 +48,8 @@ class Tool {
   void make_directory(const std::string& path) { output_set_->make_directory(path); }
   // A line on standard error, unless quiet.
   void warn(const std::string& message);
+  // The same as an error, which does not end the run.
+  void complain(const std::string& message) { fail(0, message); }
   Progress progress();
   // Says at the end that a threshold was not met: outputs are kept, the code is 10.
   void threshold_missed(const std::string& message) { missed_ = message; }
