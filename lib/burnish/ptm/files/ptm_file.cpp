@@ -22,7 +22,7 @@ std::string whole_file(const FileRef& file) {
   require_readable(file);
   std::ifstream in(file.path, std::ios::binary);
   std::string bytes;
-  constexpr std::size_t kPart = 1 << 22;
+  constexpr std::size_t kPart = 1 << 16;
   for (std::size_t got = kPart; got == kPart; bytes.resize(bytes.size() - kPart + got)) {
     bytes.resize(bytes.size() + kPart);
     in.read(bytes.data() + bytes.size() - kPart, kPart);
