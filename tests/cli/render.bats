@@ -191,7 +191,7 @@ burnish-render: warning: 'n.exr': 1 texel holds no direction and counts as (0,0,
   scene 'colour = 3'
   refuses 3 "'s.toml': line 9: 'object[0].colour': unknown key" burnish-render s.toml -o x.png
   scene 'surface = "cube"'
-  refuses 3 "expected quad|sphere|mesh, got 'cube'" burnish-render s.toml -o x.png
+  refuses 3 "expected quad|sphere|torus|mesh, got 'cube'" burnish-render s.toml -o x.png
   scene 'size = [1, 0]'
   refuses 3 "'object[0].size': expected an array of 2, each a number above 0, got 0" burnish-render s.toml -o x.png
   echo 'this is no TOML' >s.toml
@@ -230,6 +230,10 @@ burnish-render: warning: 'n.exr': 1 texel holds no direction and counts as (0,0,
   scene
   sed -i '/^indexed_map/d' s.toml
   refuses 3 "needs an 'indexed_map'" burnish-render s.toml --path palette -o x.png
+  scene
+  sed -i '1i shadows = "cast"' s.toml
+  succeeds burnish-render s.toml --path analytic -o x.png
+  refuses 3 "path 'palette' knows no shadows, got shadows = 'cast'" burnish-render s.toml --path palette -o x.png
 }
 
 @test "mip levels that are not there: exit 3" {
