@@ -1,6 +1,7 @@
 #include "burnish/render/ptm/ptm_path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "burnish/brdf/light_factor.h"
@@ -14,9 +15,12 @@
 namespace burnish {
 namespace {
 
-// In R's precision, as are all lookups: what a shader has, or a twin.
 template <typename R>
-Vec3<R> evaluated(const PtmTexture& map, const std::vector<R>& stored, R u, R v) {
+using Stored = std::array<R, 3 * kPtmTerms>;  // of a texel, or of several mixed
+
+// In R's precision: a shader's, or a twin's.
+template <typename R>
+Vec3<R> evaluated(const PtmTexture& map, const Stored<R>& stored, R u, R v) {
   const auto polynomial = [&](int first) {
     PtmCoefficients<R> a;
     for (int k = 0; k < kPtmTerms; k++) a[k] = (stored[first + k] - R(map.bias[k])) * R(map.scale[k]);
@@ -28,8 +32,8 @@ Vec3<R> evaluated(const PtmTexture& map, const std::vector<R>& stored, R u, R v)
 
 // The mean of texels.
 template <typename R>
-std::vector<R> filtered(const Image& texels, const TextureTaps& taps) {
-  std::vector<R> sum(texels.channels);
+Stored<R> filtered(const Image& texels, const TextureTaps& taps) {
+  Stored<R> sum{};
   for (const TextureTaps::Tap& tap : taps) {
     const float* texel = texels.at(tap.texel.x, tap.texel.y);
     for (int c = 0; c < texels.channels; c++) sum[c] += R(texel[c]) * R(tap.weight);
