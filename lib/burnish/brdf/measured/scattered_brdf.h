@@ -7,8 +7,8 @@
 // which does not tell l from v, nor a pair from its mirror image, and where φ_d counts as much as it matters. The value
 // at a place is the mean of its nearest 10 samples by the modified weights of Shepard's method, ((R − d)⁺/(R d))², d
 // their distance and R that of the eleventh: exact at the samples, and never beyond their values. The mean is taken of
-// asinh(f/0.01), in which a sharp highlight does not drown all about it, and where the error of samples left out in
-// turn is least. (Franke & Nielson, "Smooth interpolation of large sets of scattered data", 1980.)
+// asinh(f/0.01), in which a sharp highlight does not drown all about it. Coordinates and number were chosen by the
+// errors of samples left out in turn. (Franke & Nielson, "Smooth interpolation of large sets of scattered data", 1980.)
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ class ScatteredReflectance {
   std::vector<Sample> sorted_;  // by the first coordinate
 };
 
-// In parallel.
+// Its values at the middles of cells. In parallel.
 std::shared_ptr<const Brdf> interpolated(const std::vector<ReflectanceSample>& samples,
                                          const HalfDifferenceCells& cells = {});
 

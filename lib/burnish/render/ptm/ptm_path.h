@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-// The listing of Rost, OpenGL Shading Language, 14.4.3, in single precision: filtered texels, scale and bias, the
-// polynomial, times the light factor of the table. Spatial maps (kPtm) are looked up at the texture coordinates, with l
+// The listing of Rost, OpenGL Shading Language, 14.4.3: filtered texels, scale and bias and the polynomial in single
+// precision, times the light factor of the table. Spatial maps (kPtm) are looked up at the texture coordinates, with l
 // in tangent space; BRDF PTMs (kPtmBrdf) by what ptm.json says, bilinearly and clamped. What is below 0 counts as 0, as
 // in a frame buffer; lights add up. kMalformed where an object has no [object.ptm] of the path's kind, or the scene no
 // table.
