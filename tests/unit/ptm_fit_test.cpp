@@ -276,7 +276,7 @@ std::string file_of(const std::vector<FileRef>& photos, const PtmFitOptions& opt
 TEST(PtmFit, BytesDependOnNeitherMemoryNorThreadsNorTheWayPhotosAreRead) {
   const ScratchDir dir;
   const auto lights = testing::dome_of_lights(9);
-  const int width = 301, height = 83;
+  const int width = 131, height = 47;
   const auto photos = made_up_photos(width, height, lights);
   std::vector<FileRef> baseline, progressive;
   for (std::size_t i = 0; i < photos.size(); i++) {

@@ -62,7 +62,8 @@ void PtmTarget::write(const PtmRows& rows, const std::array<PtmCoefficients<doub
                       const Attributes& also) const {
   if (type_ == Type::kExr) write_ptm_exr(file_, rows);
   else if (type_ == Type::kTextures) write_ptm_textures(textures_, rows, normal, also);
-  else write_ptm(file_, rows.bytes() ? *rows.bytes() : rounded(rows, normal), jpeg_quality_);
+  else if (const PtmBytes* bytes = rows.bytes()) write_ptm(file_, *bytes, jpeg_quality_);
+  else write_ptm(file_, rounded(rows, normal), jpeg_quality_);
 }
 
 void PtmTarget::write(std::span<const Ptm> levels, std::span<const PtmBytes> bytes, const Attributes& also) const {
