@@ -22,10 +22,13 @@ Json mip_ptm(Tool& tool, const MipmapOptions& o, const PtmInput& map) {
   for (int l = 0; l < count && !o.split.empty(); l++) parts.emplace_back(tool, PtmOutput{level_name(o.split, l), ""});
 
   const PtmMips mips = build_ptm_mips(*map.rows, o.levels);
-  const std::vector<PtmBytes> bytes = rounded(mips, *map.rows, uniform_normal_matrix());
+  std::vector<PtmBytes> bytes;
+  if (!(chain.empty() || chain[0].holds_floats()) || !(parts.empty() || parts[0].holds_floats()))
+    bytes = rounded(mips, *map.rows, uniform_normal_matrix());
   for (const PtmTarget& target : chain) target.write(mips.levels, bytes, map.members());
   for (std::size_t l = 0; l < parts.size(); l++)
-    parts[l].write(std::span(mips.levels).subspan(l, 1), std::span(bytes).subspan(l, 1), map.members());
+    parts[l].write(std::span(mips.levels).subspan(l, 1), std::span(bytes).subspan(bytes.empty() ? 0 : l),
+                   map.members());
   Json levels = Json::array();
   for (int l = 0; l < count; l++)
     levels.push_back(

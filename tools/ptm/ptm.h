@@ -63,7 +63,8 @@ class PtmTarget {
   // `normal`: G of the lights (light_matrix.h), for what is rounded. `also`: further members of ptm.json.
   void write(const PtmRows& rows, const std::array<PtmCoefficients<double>, kPtmTerms>& normal,
              const Attributes& also = {}) const;
-  // A mip chain, in floats and in bytes; .exr holds several levels.
+  bool holds_floats() const { return type_ == Type::kExr; }
+  // A mip chain, in floats and, unless it holds those, the first level in bytes.
   void write(std::span<const Ptm> levels, std::span<const PtmBytes> bytes, const Attributes& also) const;
   // kUnsupported for more levels than it holds.
   void require_levels(const PtmShape& base, int count) const;

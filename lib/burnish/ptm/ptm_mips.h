@@ -16,7 +16,7 @@ struct PtmMips {
   std::vector<double> rms_deg;  // of each level, its normals (ptm_normals.h) against the mean of the base's
 };
 
-// `levels` with the base, 0: all. kUsage for more than there are. Memory: 100 bytes a texel.
+// `levels` with the base, 0: all. kUsage for more than there are. Memory: 180 bytes a texel.
 PtmMips build_ptm_mips(const PtmRows& base, int levels);
 
 // The levels in bytes of one scale and bias, those of the base where it is in RGB bytes and its range otherwise, so

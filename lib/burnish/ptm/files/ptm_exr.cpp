@@ -98,16 +98,18 @@ OIIO::ImageSpec spec_of(const detail::CheckedOutput& out, const PtmShape& shape)
   return spec;
 }
 
-// A texel's coefficients, then its colour.
-std::vector<float> interleaved(const PtmBand& band) {
-  const int values = band.polynomials() * kPtmTerms, colours = band.colours();
-  std::vector<float> samples;
-  samples.reserve(band.texels() * (values + colours));
-  for (std::size_t i = 0; i < band.texels(); i++) {
-    samples.insert(samples.end(), &band.coefficients[i * values], &band.coefficients[i * values] + values);
-    samples.insert(samples.end(), band.colour.begin() + i * colours, band.colour.begin() + (i + 1) * colours);
+// A texel's coefficients, then its colour. `samples` are used where there are colours.
+const float* interleaved(const PtmShape& shape, const std::vector<float>& coefficients,
+                         const std::vector<float>& colour, std::vector<float>& samples) {
+  const int values = shape.polynomials() * kPtmTerms, colours = shape.colours();
+  if (colours == 0) return coefficients.data();
+  samples.clear();
+  samples.reserve(coefficients.size() + colour.size());
+  for (std::size_t i = 0; i < shape.texels(); i++) {
+    samples.insert(samples.end(), coefficients.begin() + i * values, coefficients.begin() + (i + 1) * values);
+    samples.insert(samples.end(), colour.begin() + i * colours, colour.begin() + (i + 1) * colours);
   }
-  return samples;
+  return samples.data();
 }
 
 }  // namespace
@@ -117,11 +119,13 @@ void write_ptm_exr(const FileRef& file, const PtmRows& rows) {
   detail::CheckedOutput out(file, FileType::kExr);
   const OIIO::ImageSpec spec = spec_of(out, shape);
   out.open(spec);
+  std::vector<float> samples;
   const int at_once = rows_at_once(shape);
   for (int y = 0; y < shape.height; y += at_once) {
     const int count = std::min(at_once, shape.height - y);
-    const std::vector<float> samples = interleaved(PtmBand(rows, y, count));
-    out.require(out.image().write_scanlines(y, y + count, 0, spec.format, samples.data()));
+    const PtmBand band(rows, y, count);
+    const float* texels = interleaved(band, band.coefficients, band.colour, samples);
+    out.require(out.image().write_scanlines(y, y + count, 0, spec.format, texels));
   }
   out.close();
 }
@@ -130,13 +134,13 @@ void write_ptm_exr_chain(const FileRef& file, std::span<const Ptm> levels) {
   if (levels.size() == 1) return write_ptm_exr(file, PtmInMemory(levels[0]));
   require_chain(file, levels[0].width, levels[0].height, int(levels.size()));
   detail::CheckedOutput out(file, FileType::kExr);
+  std::vector<float> samples;
   for (const Ptm& level : levels) {
     OIIO::ImageSpec spec = spec_of(out, level);
     spec.tile_width = spec.tile_height = 64;
     spec.attribute("textureformat", "Plain Texture");  // mip levels, rounded down
     out.open(spec, &level == &levels[0] ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel);
-    const std::vector<float> samples = interleaved(PtmBand(PtmInMemory(level), 0, level.height));
-    out.require(out.image().write_image(spec.format, samples.data()));
+    out.require(out.image().write_image(spec.format, interleaved(level, level.coefficients, level.colour, samples)));
   }
   out.close();
 }
