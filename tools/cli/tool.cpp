@@ -18,6 +18,7 @@
 #include "burnish/palette/library_versions.h"
 #include "cli/depfile.h"
 #include "cli/exit_code.h"
+#include "cli/manual.h"
 #include "cli/options.h"
 #include "cli/version.h"
 
@@ -29,6 +30,9 @@ extern "C" void remove_temporaries_and_die(int signal) {
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
+
+// On standard output; the exit code.
+int print(const std::string& text) { return std::cout << text << std::flush ? kOk : kIo; }
 
 std::string one_line(std::string text) {
   std::ranges::replace(text, '\n', ' ');
@@ -171,11 +175,18 @@ int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
     arguments_.push_back(i ? argv[i] : text_.name);
     command_ += (i ? " " : "") + shell_quoted(arguments_.back());
   }
+  // For packages, and on no help page.
+  if (argc == 2 && arguments_[1] == "--man") return print(man_page(app_, text_, BURNISH_VERSION));
+  if (argc == 3 && arguments_[1] == "--completion") try {
+      return print(completion(app_, arguments_[2]));
+    } catch (const Error& error) {
+      return fail(kUsage, error.what());
+    }
   try {
     app_.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help, --version
     app_.exit(request, std::cout, std::cerr);
-    return std::cout.flush() ? kOk : kIo;
+    return print("");
   } catch (const CLI::ParseError& error) {
     return fail(kUsage, parse_message(error) + " (" + text_.name + " --help explains)");
   }
