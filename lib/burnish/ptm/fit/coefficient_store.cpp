@@ -8,7 +8,7 @@ CoefficientStore::CoefficientStore(const PtmShape& shape, std::size_t memory, co
     : PtmRows(shape) {
   const std::size_t values = row_values() * std::size_t(shape.height);
   if (values * sizeof(float) > memory) spilled_.emplace(directory);
-  else values_.resize(values);
+  else values_ = std::make_unique_for_overwrite<float[]>(values);
 }
 
 std::size_t CoefficientStore::row_values() const {
@@ -23,8 +23,8 @@ void CoefficientStore::write(int first, int count, const float* coefficients, co
       spilled_->write(at * sizeof(float), coefficients, six * sizeof(float));
       if (colours) spilled_->write((at + six) * sizeof(float), colour, colours * sizeof(float));
     } else {
-      std::copy_n(coefficients, six, values_.begin() + std::ptrdiff_t(at));
-      std::copy_n(colour, colours, values_.begin() + std::ptrdiff_t(at + six));
+      std::copy_n(coefficients, six, values_.get() + at);
+      std::copy_n(colour, colours, values_.get() + at + six);
     }
     coefficients += six, colour += colours;
   }
@@ -38,8 +38,8 @@ void CoefficientStore::read(int first, int count, float* coefficients, float* co
       spilled_->read(at * sizeof(float), coefficients, six * sizeof(float));
       if (colours) spilled_->read((at + six) * sizeof(float), colour, colours * sizeof(float));
     } else {
-      std::copy_n(values_.begin() + std::ptrdiff_t(at), six, coefficients);
-      std::copy_n(values_.begin() + std::ptrdiff_t(at + six), colours, colour);
+      std::copy_n(values_.get() + at, six, coefficients);
+      std::copy_n(values_.get() + at + six, colours, colour);
     }
     coefficients += six, colour += colours;
   }

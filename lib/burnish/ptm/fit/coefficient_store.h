@@ -1,9 +1,9 @@
 // Coefficients as a fit finds them: in memory, or in a temporary file where they are more than it may hold.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "burnish/ptm/ptm_rows.h"
 #include "burnish/ptm/spill_file.h"
@@ -20,8 +20,8 @@ class CoefficientStore : public PtmRows {
   void read(int first, int count, float* coefficients, float* colour) const override;
 
  private:
-  std::size_t row_values() const;  // of a row: coefficients, then colours
-  std::vector<float> values_;
+  std::size_t row_values() const;    // of a row: coefficients, then colours
+  std::unique_ptr<float[]> values_;  // not cleared: each is written before it is read
   std::optional<SpillFile> spilled_;
 };
 
