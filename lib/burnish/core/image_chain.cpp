@@ -12,21 +12,41 @@ void require_chain(const FileRef& file, int width, int height, int levels) {
                      "EXR holds one level or all " + std::to_string(all) + ", not " + std::to_string(levels));
 }
 
+struct ImageChainWriter::Impl {
+  detail::CheckedOutput out;
+  SampleType sample;
+  Attributes attributes;
+  std::vector<std::string> channel_names;
+  bool first = true;
+};
+
+ImageChainWriter::ImageChainWriter(const FileRef& file, SampleType sample, const Attributes& attributes,
+                                   const std::vector<std::string>& channel_names) {
+  require_can_hold(FileType::kExr, sample, file.name);
+  impl_.reset(new Impl{detail::CheckedOutput(file, FileType::kExr), sample, attributes, channel_names});
+}
+
+ImageChainWriter::~ImageChainWriter() = default;
+
+void ImageChainWriter::write(const Image& level) {
+  OIIO::ImageSpec spec = impl_->out.spec(impl_->sample, level.width, level.height, level.channels, impl_->attributes);
+  if (!impl_->channel_names.empty()) spec.channelnames = impl_->channel_names;
+  spec.tile_width = spec.tile_height = 64;
+  spec.attribute("textureformat", "Plain Texture");  // mip levels, rounded down
+  impl_->out.open(spec, impl_->first ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel);
+  impl_->out.require(impl_->out.image().write_image(OIIO::TypeDesc::FLOAT, level.data.data()));
+  impl_->first = false;
+}
+
+void ImageChainWriter::close() { impl_->out.close(); }
+
 void write_image_chain(const FileRef& file, SampleType sample, const std::vector<Image>& levels,
                        const Attributes& attributes) {
   if (levels.size() == 1) return write_image(file, FileType::kExr, sample, levels[0], attributes);
-  require_can_hold(FileType::kExr, sample, file.name);
   require_chain(file, levels[0].width, levels[0].height, int(levels.size()));
-  detail::CheckedOutput out(file, FileType::kExr);
-  for (std::size_t l = 0; l < levels.size(); l++) {
-    const Image& level = levels[l];
-    OIIO::ImageSpec spec = out.spec(sample, level.width, level.height, level.channels, attributes);
-    spec.tile_width = spec.tile_height = 64;
-    spec.attribute("textureformat", "Plain Texture");  // mip levels, rounded down
-    out.open(spec, l == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel);
-    out.require(out.image().write_image(OIIO::TypeDesc::FLOAT, level.data.data()));
-  }
-  out.close();
+  ImageChainWriter writer(file, sample, attributes);
+  for (const Image& level : levels) writer.write(level);
+  writer.close();
 }
 
 std::vector<Image> read_image_chain(ImageReader& file) {

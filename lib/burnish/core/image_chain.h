@@ -1,9 +1,11 @@
 // Mip chains of images: a file, its levels.
 //
 // Level sizes are those of core/mip.h. An EXR chain is tiled, MIPMAP_LEVELS, ROUND_DOWN; it holds one level, as plain
-// scanlines, or all down to one texel. Channels are named R, G, B, A, or Y where there is one.
+// scanlines, or all down to one texel. Without names channels are R, G, B, A, or Y where there is one.
 #pragma once
 
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "burnish/core/image_io.h"
@@ -12,6 +14,23 @@ namespace burnish {
 
 // kUnsupported where an EXR does not hold so many levels of an image of that size.
 void require_chain(const FileRef& file, int width, int height, int levels);
+
+// A chain to an EXR, level by level from the base.
+class ImageChainWriter {
+ public:
+  // kUnsupported for integer samples.
+  ImageChainWriter(const FileRef& file, SampleType sample, const Attributes& attributes = {},
+                   const std::vector<std::string>& channel_names = {});
+  ~ImageChainWriter();
+
+  void write(const Image& level);
+  // Must be called, as ImageWriter's.
+  void close();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 // EXR only. The levels are of sizes and number as above, and have the same channels. kUnsupported for integer samples,
 // and as require_chain().

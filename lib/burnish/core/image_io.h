@@ -61,9 +61,9 @@ class ImageReader {
 
 class ImageWriter {
  public:
-  // Writes to file.path; messages speak of file.name. Channels are named R, G, B, A, or Y where there is one.
+  // Writes to file.path; messages speak of file.name. Without names channels are R, G, B, A, or Y where there is one.
   ImageWriter(const FileRef& file, FileType type, SampleType sample, int width, int height, int channels,
-              const Attributes& attributes = {});
+              const Attributes& attributes = {}, const std::vector<std::string>& channel_names = {});
   ~ImageWriter();
 
   // The next `count` rows. Floats are converted to the file's samples: integers by round half up of the clamped value.

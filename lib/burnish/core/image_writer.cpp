@@ -25,10 +25,11 @@ struct ImageWriter::Impl {
 };
 
 ImageWriter::ImageWriter(const FileRef& file, FileType type, SampleType sample, int width, int height, int channels,
-                         const Attributes& attributes) {
+                         const Attributes& attributes, const std::vector<std::string>& channel_names) {
   require_can_hold(type, sample, file.name);
   impl_.reset(new Impl{detail::CheckedOutput(file, type), {}, sample, 0, {}});
   impl_->spec = impl_->out.spec(sample, width, height, channels, attributes);
+  if (!channel_names.empty()) impl_->spec.channelnames = channel_names;
   impl_->out.open(impl_->spec);
 }
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "burnish/core/checked_output.h"
 #include "burnish/core/error.h"
 #include "burnish/core/image_chain.h"
 #include "burnish/core/image_io.h"
@@ -90,59 +89,43 @@ class ExrRows : public PtmRows {
   std::vector<int> from_;  // where each wanted channel is stored
 };
 
-OIIO::ImageSpec spec_of(const detail::CheckedOutput& out, const PtmShape& shape) {
-  const std::vector<std::string> channels = channel_names(shape.type);
-  OIIO::ImageSpec spec = out.spec(SampleType::kFloat, shape.width, shape.height, int(channels.size()),
-                                  {{kAttribute, std::string(name(shape.type))}});
-  spec.channelnames = channels;
-  return spec;
-}
+Attributes attributes_of(PtmType type) { return {{kAttribute, std::string(name(type))}}; }
 
-// A texel's coefficients, then its colour. `samples` are used where there are colours.
-const float* interleaved(const PtmShape& shape, const std::vector<float>& coefficients,
-                         const std::vector<float>& colour, std::vector<float>& samples) {
+// A texel's coefficients, then its colour.
+Image interleaved(const PtmShape& shape, const std::vector<float>& coefficients, const std::vector<float>& colour) {
   const int values = shape.polynomials() * kPtmTerms, colours = shape.colours();
-  if (colours == 0) return coefficients.data();
-  samples.clear();
-  samples.reserve(coefficients.size() + colour.size());
+  Image samples;
+  samples.width = shape.width, samples.height = shape.height, samples.channels = values + colours;
+  samples.data.reserve(coefficients.size() + colour.size());
   for (std::size_t i = 0; i < shape.texels(); i++) {
-    samples.insert(samples.end(), coefficients.begin() + i * values, coefficients.begin() + (i + 1) * values);
-    samples.insert(samples.end(), colour.begin() + i * colours, colour.begin() + (i + 1) * colours);
+    samples.data.insert(samples.data.end(), coefficients.begin() + i * values, coefficients.begin() + (i + 1) * values);
+    samples.data.insert(samples.data.end(), colour.begin() + i * colours, colour.begin() + (i + 1) * colours);
   }
-  return samples.data();
+  return samples;
 }
 
 }  // namespace
 
 void write_ptm_exr(const FileRef& file, const PtmRows& rows) {
   const PtmShape& shape = rows.shape();
-  detail::CheckedOutput out(file, FileType::kExr);
-  const OIIO::ImageSpec spec = spec_of(out, shape);
-  out.open(spec);
-  std::vector<float> samples;
+  const std::vector<std::string> channels = channel_names(shape.type);
+  ImageWriter writer(file, FileType::kExr, SampleType::kFloat, shape.width, shape.height, int(channels.size()),
+                     attributes_of(shape.type), channels);
   const int at_once = rows_at_once(shape);
   for (int y = 0; y < shape.height; y += at_once) {
-    const int count = std::min(at_once, shape.height - y);
-    const PtmBand band(rows, y, count);
-    const float* texels = interleaved(band, band.coefficients, band.colour, samples);
-    out.require(out.image().write_scanlines(y, y + count, 0, spec.format, texels));
+    const PtmBand band(rows, y, std::min(at_once, shape.height - y));
+    writer.write_rows(band.height, interleaved(band, band.coefficients, band.colour).data.data());
   }
-  out.close();
+  writer.close();
 }
 
 void write_ptm_exr_chain(const FileRef& file, std::span<const Ptm> levels) {
   if (levels.size() == 1) return write_ptm_exr(file, PtmInMemory(levels[0]));
+  const PtmType type = levels[0].type;
   require_chain(file, levels[0].width, levels[0].height, int(levels.size()));
-  detail::CheckedOutput out(file, FileType::kExr);
-  std::vector<float> samples;
-  for (const Ptm& level : levels) {
-    OIIO::ImageSpec spec = spec_of(out, level);
-    spec.tile_width = spec.tile_height = 64;
-    spec.attribute("textureformat", "Plain Texture");  // mip levels, rounded down
-    out.open(spec, &level == &levels[0] ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel);
-    out.require(out.image().write_image(spec.format, interleaved(level, level.coefficients, level.colour, samples)));
-  }
-  out.close();
+  ImageChainWriter writer(file, SampleType::kFloat, attributes_of(type), channel_names(type));
+  for (const Ptm& level : levels) writer.write(interleaved(level, level.coefficients, level.colour));
+  writer.close();
 }
 
 std::unique_ptr<PtmRows> open_ptm_exr(const FileRef& file) { return std::make_unique<ExrRows>(ImageReader(file)); }
