@@ -15,6 +15,7 @@
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
 #include "burnish/core/shell_quoted.h"
+#include "burnish/core/whole_file.h"
 #include "burnish/palette/library_versions.h"
 #include "cli/depfile.h"
 #include "cli/exit_code.h"
@@ -147,25 +148,19 @@ Progress Tool::progress() {
   return [this](double fraction) { bar_->update(fraction); };
 }
 
-void Tool::write_text(const FileRef& file, const std::string& text) {
-  std::ofstream out(file.path, std::ios::binary);
-  if (!out.write(text.data(), std::streamsize(text.size())) || !out.flush())
-    throw file_error(ErrorKind::kIo, file.name, std::string("cannot be written: ") + std::strerror(errno));
-}
-
 void Tool::finish(const Json& stats, double seconds) {
   const std::string first_output = outputs_.empty() ? "" : outputs_.front();
   if (!report_.empty()) {
     const Json report{{"tool", text_.name},  {"version", BURNISH_VERSION}, {"command", arguments_}, {"inputs", inputs_},
                       {"outputs", outputs_}, {"seconds", seconds},         {"stats", stats}};
-    write_text(report_file_, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_file(report_file_, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   }
   if (!missed_.empty() && !depfile_.empty()) {
     output_set_->discard(depfile_file_);  // only success is done
   } else if (!depfile_.empty()) {
     std::vector<std::string> files = inputs_;
     std::erase(files, "-");
-    write_text(depfile_file_, depfile_text(first_output, files));
+    write_file(depfile_file_, depfile_text(first_output, files));
   }
   output_set_->commit();
 }

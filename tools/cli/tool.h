@@ -59,7 +59,6 @@ class Tool {
   void silence_codecs();
   void note_input(const std::string& path);
   void finish(const Json& stats, double seconds);
-  void write_text(const FileRef& file, const std::string& text);
 
   ToolText text_;
   CLI::App app_;

@@ -1,11 +1,11 @@
 #include "burnish/ptm/light_list.h"
 
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <map>
 
 #include "burnish/core/error.h"
+#include "burnish/core/number_text.h"
 
 namespace burnish {
 namespace {
@@ -54,25 +54,21 @@ class ListReader {
   }
 
   std::size_t read_count() {
-    std::size_t count = 0;
     if (!next_line()) throw file_error(ErrorKind::kMalformed, file_.name, "expected the number of photos, got nothing");
-    const auto [end, error] = std::from_chars(line_.data(), line_.data() + line_.size(), count);
-    if (error != std::errc() || end != line_.data() + line_.size() || count > kMostPhotos)
+    const std::optional<std::size_t> count = number_in<std::size_t>(line_);
+    if (!count || *count > kMostPhotos)
       fail("expected the number of photos, up to " + std::to_string(kMostPhotos) + ", got '" + excerpt(line_) + "'");
-    return count;
+    return *count;
   }
 
   // Takes the last word off the line.
   double number() {
     const std::size_t space = line_.find_last_of(kBlank), first = space == std::string::npos ? 0 : space + 1;
-    double value = 0;
-    const char* text = line_.data() + first + (line_[first] == '+');
-    const auto [end, error] = std::from_chars(text, line_.data() + line_.size(), value);
-    if (error != std::errc() || end != line_.data() + line_.size() || !std::isfinite(value))
-      fail("expected a file name and three numbers, got '" + excerpt(line_) + "'");
+    const auto value = number_in<double>(std::string_view(line_).substr(first + (line_[first] == '+')));
+    if (!value || !std::isfinite(*value)) fail("expected a file name and three numbers, got '" + excerpt(line_) + "'");
     line_.erase(space == std::string::npos ? 0 : line_.find_last_not_of(kBlank, space) + 1);
     if (line_.empty()) fail("expected a file name before three numbers, got none");
-    return value;
+    return *value;
   }
 
   LitPhoto photo() {

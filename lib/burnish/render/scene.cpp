@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
+#include "burnish/core/whole_file.h"
 #include "burnish/core/wording.h"
 #include "burnish/render/anisotropy/scene_reflectance.h"
 #include "burnish/render/scene_materials.h"
@@ -176,11 +175,8 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::str
 
 Scene read_scene(const FileRef& file) {
   namespace fs = std::filesystem;
-  require_readable(file);
-  std::ifstream in(file.path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open() || in.bad()) throw file_error(ErrorKind::kIo, file.name, "cannot be read");
-  return parse_scene(text, file.name, file.name == kStandardInput ? "" : fs::path(file.name).parent_path().string());
+  return parse_scene(read_file(file), file.name,
+                     file.name == kStandardInput ? "" : fs::path(file.name).parent_path().string());
 }
 
 }  // namespace burnish

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "burnish/core/error.h"
+#include "burnish/core/whole_file.h"
 #include "burnish/render/frame.h"
 #include "burnish/render/picture.h"
 #include "burnish/render/validation_html.h"
@@ -46,17 +45,10 @@ std::string json_text(const Scene& scene, const Validation& v) {
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_text(const FileRef& file, const std::string& text) {
-  std::ofstream out(file.path, std::ios::binary);
-  if (!out.write(text.data(), std::streamsize(text.size())) || !out.flush())
-    throw file_error(ErrorKind::kIo, file.name, "cannot be written");
-}
-
 // Writes a picture and hands back the file's bytes.
 std::string write_png(const FileRef& file, const Image& srgb) {
   write_image(file, FileType::kPng, SampleType::kUint8, srgb);
-  std::ifstream in(file.path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return read_file(file);
 }
 
 }  // namespace
@@ -113,8 +105,8 @@ Validation validate(const Scene& scene, const std::vector<ObjectAssets>& assets,
   pictures.twin = write_png(files.twin, srgb_picture(twin.colour, exposure));
   const double full = v.heat_max > 0 ? v.heat_max : 1;  // equal pictures: black whatever the scale
   pictures.difference = write_png(files.difference, heat_picture(frame.colour, twin.colour, counts, full));
-  write_text(files.json, json_text(scene, v));
-  write_text(files.html, validation_html(scene, v, pictures));
+  write_file(files.json, json_text(scene, v));
+  write_file(files.html, validation_html(scene, v, pictures));
   return v;
 }
 

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <variant>
 
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
+#include "burnish/core/whole_file.h"
 #include "burnish/core/whole_image.h"
 #include "burnish/ptm/multiplied_out.h"
 #include "burnish/ptm/round_ptm.h"
@@ -44,12 +43,6 @@ Json description(const PtmBytes& map, PtmType made_of, const Attributes& also) {
   return json;
 }
 
-void write_text(const FileRef& file, const std::string& text) {
-  std::ofstream out(file.path, std::ios::binary);
-  if (!out.write(text.data(), std::streamsize(text.size())) || !out.flush())
-    throw file_error(ErrorKind::kIo, file.name, std::string("cannot be written: ") + std::strerror(errno));
-}
-
 // What ptm.json says of the bytes.
 struct Description {
   PtmShape shape;
@@ -60,10 +53,7 @@ struct Description {
 
 class DescriptionReader {
  public:
-  explicit DescriptionReader(const FileRef& file) : name_(file.name) {
-    require_readable(file);
-    std::ifstream in(file.path, std::ios::binary);
-    text_.assign(std::istreambuf_iterator<char>(in), {});
+  explicit DescriptionReader(const FileRef& file) : name_(file.name), text_(read_file(file)) {
     json_ = Json::parse(text_, nullptr, false);
     if (!json_.is_object()) fail("expected a JSON object");
   }
@@ -173,7 +163,7 @@ void write_ptm_textures(const PtmTextureFiles& files, const PtmRows& rows,
     }
     image.close();
   }
-  write_text(files.json, description(map, rows.shape().type, also).dump(2) + "\n");
+  write_file(files.json, description(map, rows.shape().type, also).dump(2) + "\n");
 }
 
 }  // namespace burnish
