@@ -1,32 +1,36 @@
 #include "burnish/ptm/coefficient_range.h"
 
-#include <limits>
+#include <algorithm>
+#include <cmath>
 
+#include "burnish/core/error.h"
 #include "burnish/ptm/ptm_band.h"
 
 namespace burnish {
 
-CoefficientRange coefficient_range(const PtmRows& rows) {
-  CoefficientRange all;
-  all.least.fill(std::numeric_limits<double>::infinity());
-  all.most.fill(-std::numeric_limits<double>::infinity());
-  const auto widen = [](CoefficientRange& range, const CoefficientRange& by) {
+CoefficientRange::CoefficientRange(std::span<const float> coefficients) : CoefficientRange() {
+  for (std::size_t i = 0; i < coefficients.size(); i += kPtmTerms)
     for (int k = 0; k < kPtmTerms; k++) {
-      range.least[k] = std::min(range.least[k], by.least[k]);
-      range.most[k] = std::max(range.most[k], by.most[k]);
+      const double a = coefficients[i + k];
+      if (!std::isfinite(a)) throw Error(ErrorKind::kMalformed, "expected finite coefficients, got others");
+      least[k] = std::min(least[k], a);
+      most[k] = std::max(most[k], a);
     }
-  };
-  const auto of_texel = [&](const PtmBand& band, std::size_t texel) {
-    CoefficientRange range{band.polynomial(texel), band.polynomial(texel)};
-    for (int i = 1; i < band.polynomials(); i++) widen(range, {band.polynomial(texel, i), band.polynomial(texel, i)});
-    return range;
-  };
-  for_each_texel<CoefficientRange>(rows, of_texel,
-                                   [&](int, const std::vector<CoefficientRange>& texels) {
-                                     for (const CoefficientRange& range : texels) widen(all, range);
-                                   },
-                                   {});
-  return all;
+}
+
+CoefficientRange& CoefficientRange::operator+=(const CoefficientRange& other) {
+  for (int k = 0; k < kPtmTerms; k++) {
+    least[k] = std::min(least[k], other.least[k]);
+    most[k] = std::max(most[k], other.most[k]);
+  }
+  return *this;
+}
+
+CoefficientRange coefficient_range(const PtmRows& rows) {
+  return parallel_sum<CoefficientRange>(
+      std::size_t(rows.shape().height), band_rows(rows.shape()), [&](std::size_t begin, std::size_t end) {
+        return CoefficientRange(PtmBand(rows, int(begin), int(end - begin)).coefficients);
+      });
 }
 
 }  // namespace burnish

@@ -1,12 +1,24 @@
 // What a map's coefficients span, of all its polynomials together.
 #pragma once
 
+#include <limits>
+#include <span>
+
 #include "burnish/ptm/ptm_rows.h"
 
 namespace burnish {
 
-struct CoefficientRange {
-  PtmCoefficients<double> least{}, most{};
+class CoefficientRange {
+ public:
+  PtmCoefficients<double> least, most;
+
+  CoefficientRange() {  // of none
+    least.fill(std::numeric_limits<double>::infinity());
+    most.fill(-std::numeric_limits<double>::infinity());
+  }
+  // Of polynomials, six after six. kMalformed where one is no finite number.
+  explicit CoefficientRange(std::span<const float> coefficients);
+  CoefficientRange& operator+=(const CoefficientRange& other);
 };
 
 // Reads all rows, in parallel.

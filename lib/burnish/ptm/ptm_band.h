@@ -28,6 +28,12 @@ struct PtmBand : PtmShape {
   }
 };
 
+// Rows of a band that stays in the caches, at least one.
+inline std::size_t band_rows(const PtmShape& shape) {
+  constexpr int kTexels = 1 << 14;
+  return std::size_t(std::max(1, kTexels / shape.width));
+}
+
 // of(band, texel) of all texels, side by side; `take` gets a band of them at a time, row by row from the top: how many
 // rows there are, and a T a texel.
 template <typename T, typename Of, typename Take>
