@@ -1,14 +1,27 @@
 #include "burnish/ptm/fit/coefficient_store.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
+#include <new>
 
 namespace burnish {
+
+// Memory that is taken as rows arrive, in pages of 2 MiB where the system has them.
+CoefficientStore::Values CoefficientStore::in_large_pages(std::size_t count) {
+  constexpr std::size_t kPage = 2 << 20;
+  const std::size_t bytes = (count * sizeof(float) + kPage - 1) / kPage * kPage;
+  auto* memory = static_cast<float*>(std::aligned_alloc(kPage, bytes));
+  if (!memory) throw std::bad_alloc();
+  ::madvise(memory, bytes, MADV_HUGEPAGE);  // may be refused
+  return Values(memory);
+}
 
 CoefficientStore::CoefficientStore(const PtmShape& shape, std::size_t memory, const std::string& directory)
     : PtmRows(shape) {
   const std::size_t values = row_values() * std::size_t(shape.height);
   if (values * sizeof(float) > memory) spilled_.emplace(directory);
-  else values_ = std::make_unique_for_overwrite<float[]>(values);
+  else values_ = in_large_pages(values);
 }
 
 std::size_t CoefficientStore::row_values() const {

@@ -1,6 +1,7 @@
 // Coefficients as a fit finds them: in memory, or in a temporary file where they are more than it may hold.
 #pragma once
 
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,8 +21,14 @@ class CoefficientStore : public PtmRows {
   void read(int first, int count, float* coefficients, float* colour) const override;
 
  private:
-  std::size_t row_values() const;    // of a row: coefficients, then colours
-  std::unique_ptr<float[]> values_;  // not cleared: each is written before it is read
+  struct Freed {
+    void operator()(float* memory) const { std::free(memory); }
+  };
+  using Values = std::unique_ptr<float[], Freed>;
+  static Values in_large_pages(std::size_t count);
+
+  std::size_t row_values() const;  // of a row: coefficients, then colours
+  Values values_;                  // not cleared: each is written before it is read
   std::optional<SpillFile> spilled_;
 };
 

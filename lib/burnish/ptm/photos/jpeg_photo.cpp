@@ -38,6 +38,7 @@ class JpegPhoto : public Photo {
  public:
   explicit JpegPhoto(const FileRef& file) : file_(file), in_(std::fopen(file.path.c_str(), "rb")) {
     if (!in_) throw file_error(ErrorKind::kIo, file.name, "cannot be read");
+    std::setvbuf(in_.get(), nullptr, _IOFBF, kFileBuffer);  // libjpeg asks for 4 KiB at a time
     jpeg_.err = jpeg_std_error(&errors_);
     errors_.error_exit = on_error;
     errors_.emit_message = on_message;
@@ -86,6 +87,7 @@ class JpegPhoto : public Photo {
     }
   }
 
+  static constexpr std::size_t kFileBuffer = 1 << 17;
   FileRef file_;
   std::unique_ptr<std::FILE, Closer> in_;
   jpeg_error_mgr errors_{};
