@@ -8,7 +8,6 @@
 #include "burnish/core/number_text.h"
 #include "burnish/core/parallel.h"
 #include "burnish/core/wording.h"
-#include "cli/options.h"
 #include "cli/tool.h"
 
 using namespace burnish;
@@ -87,7 +86,8 @@ int main(int argc, char** argv) {
   Tool tool({"burnish-batch", "A recipe over a directory of files: what is out of date is made, many files at once.",
              "  burnish-batch textures.toml --directory textures --build-dir baked\n"
              "  burnish-batch textures.toml --build-dir baked --keep-going -j 8 --report batch.json\n"
-             "  burnish-batch textures.toml --build-dir baked --shard $SLURM_ARRAY_TASK_ID/4"});
+             "  burnish-batch textures.toml --build-dir baked --shard $SLURM_ARRAY_TASK_ID/4"},
+            no_libraries);
   Options options;
   options.batch.folders.build = "build";
   add_options(tool.app(), options);

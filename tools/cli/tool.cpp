@@ -16,7 +16,6 @@
 #include "burnish/core/parallel.h"
 #include "burnish/core/shell_quoted.h"
 #include "burnish/core/whole_file.h"
-#include "burnish/palette/library_versions.h"
 #include "cli/depfile.h"
 #include "cli/exit_code.h"
 #include "cli/manual.h"
@@ -69,15 +68,15 @@ void spool_standard_input(const std::string& path) {
 
 }  // namespace
 
-Tool::Tool(const ToolText& text) : text_(text), app_(text.summary, text.name) {
+Tool::Tool(const ToolText& text, Libraries (*libraries)())
+    : text_(text), libraries_(libraries), app_(text.summary, text.name) {
   app_.footer("Example:\n" + text.example +
               "\n\nExit codes: 0 ok, 1 usage, 2 file cannot be read or written, 3 input is malformed or does not fit,\n"
               "4 internal, 5 not supported, 10 a check or threshold was not met.");
   app_.set_help_flag("-h,--help", "Print this help and exit");
-  app_.set_version_flag("--version", [] {
+  app_.set_version_flag("--version", [libraries] {
     return std::string("burnish " BURNISH_VERSION " (" BURNISH_GIT_DESCRIBE "), " BURNISH_COMPILER ", ") +
-           codec_version() + ", " + palette_library_versions() + ", oneTBB " + thread_library_version() +
-           ", CLI11 " CLI11_VERSION;
+           libraries().versions + "oneTBB " + thread_library_version() + ", CLI11 " CLI11_VERSION;
   });
   app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   app_.add_flag("-q,--quiet", quiet_, "Nothing on standard error but errors")->group("Common");
@@ -195,7 +194,7 @@ int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
     if (!report_.empty()) report_file_ = output_set_->add(report_, 1);
     if (!depfile_.empty()) depfile_file_ = output_set_->add(depfile_, 2);
     const ThreadLimit limit(threads_);
-    set_codec_threads(threads_);
+    if (const auto limit_threads = libraries_().limit_threads) limit_threads(threads_);
     const auto start = std::chrono::steady_clock::now();
     const Json stats = action();
     finish(stats, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

@@ -16,6 +16,7 @@
 #include "burnish/core/image_io.h"
 #include "burnish/core/output_set.h"
 #include "burnish/core/progress.h"
+#include "cli/image_libraries.h"
 #include "cli/progress_bar.h"
 
 namespace burnish::cli {
@@ -30,7 +31,7 @@ struct ToolText {
 
 class Tool {
  public:
-  explicit Tool(const ToolText& text);
+  explicit Tool(const ToolText& text, Libraries (*libraries)() = image_libraries);
 
   CLI::App& app() { return app_; }
 
@@ -61,6 +62,7 @@ class Tool {
   void finish(const Json& stats, double seconds);
 
   ToolText text_;
+  Libraries (*libraries_)();
   CLI::App app_;
   bool quiet_ = false, verbose_ = false;
   int threads_ = 0;
