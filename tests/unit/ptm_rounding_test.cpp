@@ -77,6 +77,21 @@ TEST(CoefficientRounding, WhatBytesHoldComesBack) {
   }
 }
 
+// Other programs scale by 0 what is 0 all over: it must not spoil the five others.
+TEST(CoefficientRounding, AScaleOfZeroLeavesTheOthersAlone) {
+  for (int zero = 0; zero < kPtmTerms; zero++) {
+    ByteRange range{{0.25, 0.3, 0.2, 0.5, 0.4, 0.6}, {260, 255, 127, 120, 130, -70}};
+    range.scale[zero] = 0;
+    const CoefficientRounding rounding(range, uniform_normal_matrix());
+    PtmCoefficients<std::uint8_t> raw{7, 30, 100, 128, 200, 250};
+    PtmCoefficients<float> a;
+    for (int k = 0; k < kPtmTerms; k++) a[k] = float((raw[k] - range.bias[k]) * range.scale[k]);
+    PtmCoefficients<std::uint8_t> got = rounding.rounded(a);
+    got[zero] = raw[zero];
+    EXPECT_EQ(got, raw) << zero;
+  }
+}
+
 TEST(ByteRange, HoldsItsEndsConstantsAndZero) {
   const ByteRange r = byte_range({-10, 5, 3, -4, 0, 1e6}, {245, 5.1, 3, -4, 0, 1e6 + 1e-3});
   const double least[] = {-10, 5, 3, -4, 0, 1e6}, most[] = {245, 5.1, 3, -4, 0, 1e6 + 1e-3};

@@ -169,7 +169,8 @@ CoefficientRounding::CoefficientRounding(const ByteRange& range,
 void CoefficientRounding::round(const float* coefficients, std::size_t count, std::uint8_t* raw) const {
   Rounding with{{}, {}, {}, directions_};
   for (int k = 0; k < kPtmTerms; k++) {
-    with.scale[k] = 1 / range_.scale[k];
+    const double steps = 1 / range_.scale[k];
+    with.scale[k] = std::isfinite(steps) ? steps : 0;  // where all bytes stand for 0, any will do
     with.zero[k] = -range_.bias[k] * range_.scale[k];
     std::copy_n(feedback_[k], kPtmTerms, with.feedback[k]);
   }

@@ -29,7 +29,7 @@ ByteRange byte_range(const PtmCoefficients<double>& least, const PtmCoefficients
 
 class CoefficientRounding {
  public:
-  // `normal`: G.
+  // `normal`: G. Scales may be 0, as in files of other programs: what they hold is 0.
   CoefficientRounding(const ByteRange& range, const std::array<PtmCoefficients<double>, kPtmTerms>& normal);
 
   // `count` polynomials of six, whose coefficients are within some steps of the range.
