@@ -207,7 +207,7 @@ assert all(abs(x - y - (300 / 255 + 0.5) * 0.3) < 1e-5 for x, y in zip(a, b)), (
 
 @test "relight: lights that are none" {
   make_ptm RGB 4 4 a.ptm
-  for light in 0,0,0 0,0,-1 1,0,0 0,0 a,b,c 0,0,nan 0,0,inf 0,0,1,0 ""; do
+  for light in 0,0,0 0,0,-1 1,0,0 0,0 a,b,c 0,0,nan 0,0,inf 1e-320,0,1e-320 0,0,1,0 ""; do
     refuses 1 "--light: expected a direction from above the surface" burnish-ptm relight a.ptm --light "$light" -o x.png
   done
   refuses 1 "--light" burnish-ptm relight a.ptm -o x.png

@@ -45,6 +45,7 @@ TEST(LightList, RefusalsNameFileAndLine) {
   refused("1\na.jpg 0 nan 1\n", "line 2: expected a file name and three numbers");
   refused("1\na.jpg 0 0 1e999\n", "line 2: expected a file name and three numbers");
   refused("1\na.jpg 0 0 0\n", "line 2: expected a direction, got a vector of no length");
+  refused("1\na.jpg 1e308 0 1e308\n", "line 2: expected a direction, got a vector whose length no number holds");
   refused("1\na.jpg 1 0 -0.5\n", "line 2: expected a light above the surface, got z = -0.5");
   refused("2\na.jpg 0 0 1\n./a.jpg 0 1 1\n", "line 3: ");
   EXPECT_ERROR(read_light_list(FileRef("nothing.lp")), ErrorKind::kIo, "'nothing.lp'");

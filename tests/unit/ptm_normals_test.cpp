@@ -124,7 +124,8 @@ TEST(Relight, ShowsWhatTheMapSays) {
       for (int c = 0; c < 3; c++)
         EXPECT_NEAR(image.data[3 * i + c], map.lit(i, float(light.x), float(light.y))[c] / 255, 1e-5);
   }
-  for (const Vec3d light : {Vec3d{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 0, INFINITY}, {0, NAN, 1}})
+  for (const Vec3d light :
+       {Vec3d{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 0, INFINITY}, {0, NAN, 1}, {1e-320, 0, 1e-320}, {1e308, 0, 1e308}})
     EXPECT_ERROR(relight(PtmInMemory(made_up_map(PtmType::kRgb, 2, 2)), light, dir / "x.png", FileType::kPng,
                          SampleType::kUint8),
                  ErrorKind::kUsage, "light: expected a direction from above the surface");

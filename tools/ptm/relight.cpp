@@ -1,9 +1,7 @@
 // burnish-ptm relight: a map under one light.
 #include "burnish/ptm/relight.h"
 
-#include <charconv>
 #include <memory>
-#include <optional>
 
 #include "burnish/core/number_text.h"
 #include "ptm/ptm.h"
@@ -23,7 +21,7 @@ Vec3d parse_light(const std::string& text) {
     const auto x = number_in<double>(text.substr(0, first)),
                y = number_in<double>(text.substr(first + 1, second - first - 1)),
                z = number_in<double>(text.substr(second + 1));
-    if (x && y && z && *z > 0 && std::isfinite(length(Vec3d{*x, *y, *z}))) return {*x, *y, *z};
+    if (x && y && z && is_from_above({*x, *y, *z})) return {*x, *y, *z};
   }
   throw CLI::ValidationError(
       "--light",

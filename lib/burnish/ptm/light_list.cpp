@@ -1,5 +1,6 @@
 #include "burnish/ptm/light_list.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -75,7 +76,8 @@ class ListReader {
     Vec3d light;
     light.z = number(), light.y = number(), light.x = number();
     if (!(length(light) > 1e-6)) fail("expected a direction, got a vector of no length");
-    if (!(light.z > 0)) fail("expected a light above the surface, got z = " + std::to_string(light.z));
+    if (!std::isfinite(length(light))) fail("expected a direction, got a vector whose length no number holds");
+    if (!(light.z > 0)) fail("expected a light above the surface, got z = " + number_text(light.z));
     const auto directory = std::filesystem::path(file_.name).parent_path();
     return {(directory / line_).lexically_normal().string(), normalized(light)};
   }

@@ -18,7 +18,8 @@ struct LitPhoto {
 };
 
 // kIo where it cannot be read; kMalformed, with the line, where the count is wrong, a line has no name or not three
-// finite numbers, a vector is shorter than 1e-6 or does not come from above the surface, and where a name is repeated.
+// finite numbers, a vector is shorter than 1e-6, longer than numbers hold or does not come from above the surface, and
+// where a name is repeated.
 std::vector<LitPhoto> read_light_list(const FileRef& file);
 
 }  // namespace burnish

@@ -10,13 +10,17 @@
 
 namespace burnish {
 
+bool is_from_above(Vec3d light) {
+  const double size = length(light);
+  return size > 1e-6 && std::isfinite(size) && light.z > 0;
+}
+
 RelightStats relight(const PtmRows& rows, Vec3d light, const FileRef& file, FileType type, SampleType sample,
                      const Progress& progress) {
-  const double size = length(light);
-  if (!(std::isfinite(size) && light.z > 0))
+  if (!is_from_above(light))
     throw Error(ErrorKind::kUsage, "light: expected a direction from above the surface, z > 0, got " +
                                        number_text(light.x) + "," + number_text(light.y) + "," + number_text(light.z));
-  const double u = light.x / size, v = light.y / size;
+  const double size = length(light), u = light.x / size, v = light.y / size;
   const PtmShape& shape = rows.shape();
   const auto lit = [&](const PtmBand& band, std::size_t texel) {
     std::array<float, 3> rgb;

@@ -14,8 +14,11 @@ struct RelightStats {
   std::size_t clipped_samples = 0;  // below 0 or above 1, where the image holds no such
 };
 
+// Whether it has a length, above 1e-6, and z > 0.
+bool is_from_above(Vec3d light);
+
 // Three channels. `light`: towards it, of any length. Polynomials exceed [0,1]: integers hold what is clipped to it,
-// floats hold all. kUsage where the light is not above the surface, z > 0; else as ImageWriter.
+// floats hold all. kUsage where the light is not from above; else as ImageWriter.
 RelightStats relight(const PtmRows& rows, Vec3d light, const FileRef& file, FileType type, SampleType sample,
                      const Progress& progress = {});
 
