@@ -167,6 +167,8 @@ PYTHON
   damage 's/"type": *"rgb"/"type": "lum"/' && refuses 3 "expected type lrgb or rgb" burnish-ptm info t
   damage 's/"abc_scale": *\[[^]]*\]/"abc_scale": [1, 2]/' && refuses 3 "expected abc_scale of three numbers, got [1,2]" burnish-ptm info t
   damage 's/"def_bias": *\[[^]]*\]/"def_bias": [1, 2, "3"]/' && refuses 3 "expected def_bias of three numbers" burnish-ptm info t
+  damage 's/"abc_scale": *\[/&1e300, /; s/\(1e300, [^]]*\),[^],]*\]/\1]/' &&
+    refuses 3 "'t/ptm.json': expected coefficients that floats hold" burnish-ptm relight t --light 0,0,1 -o x.png
   damage 's/}//' && refuses 3 "'t/ptm.json': expected a JSON object" burnish-ptm info t
   damage '' && rm t/def_blue.png && refuses 2 "'t/def_blue.png'" burnish-ptm info t
   damage '' && make_image bumps 6 5 t/def_red.png uint16 && refuses 3 "'t/def_red.png': expected 3 channels of uint8" burnish-ptm info t

@@ -96,6 +96,8 @@ TEST(PtmFile, WhatIsNoSuchFileIsRefused) {
   refused(head + "4294967297 1\n", "expected a width from 1 to 1048576");
   refused(head + "1 1.5\n", "expected a height from 1 to 1048576, got 1.5");
   refused(head + "1 1\n1 1 nan", "expected a scale, got 'nan'");
+  refused(head + "1 1\n1 1e300 1 1 1 1\n0 0 0 0 0 0\n123456789",
+          "expected coefficients that floats hold, got a scale or bias beyond them");
   refused(head + "1 1\n1 1 1 1 1 1\n1 2 x", "expected a bias, got 'x'");
   refused(head + "1 1\n1 1 1 1 1 1\n0 0 0 0 0 0", "expected the end of a line behind the biases");
   refused(head + "1 1\n" + numbers + "12345678", "expected 9 bytes for 1x1 texels, got 8");

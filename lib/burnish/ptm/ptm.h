@@ -6,8 +6,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "burnish/ptm/basis.h"
@@ -41,5 +43,14 @@ struct PtmBytes : PtmShape {
   std::vector<std::uint8_t> coefficients, colour;  // as Ptm's
 };
 Ptm decoded(const PtmBytes& bytes);
+
+// Whether floats hold all that bytes of this scale and bias stand for.
+template <typename Bias>
+bool floats_hold(const PtmCoefficients<double>& scale, const PtmCoefficients<Bias>& bias) {
+  for (int k = 0; k < kPtmTerms; k++)
+    for (const int raw : {0, 255})
+      if (!(std::abs((raw - bias[k]) * scale[k]) <= std::numeric_limits<float>::max())) return false;
+  return true;
+}
 
 }  // namespace burnish

@@ -109,6 +109,8 @@ PtmFile read_ptm(const FileRef& file) {
   for (double& s : out.scale) s = header.number("a scale");
   constexpr int kMost = std::numeric_limits<int>::max() / 2;
   for (int& b : out.bias) b = header.integer("a bias", -kMost, kMost);
+  if (!floats_hold(out.scale, out.bias))
+    header.fail("expected coefficients that floats hold, got a scale or bias beyond them");
   if (is_jpeg) read_jpeg_planes(header, out);
   else read_raw(header.body("biases"), magic != "PTM_1.2", header, out);
   return out;

@@ -20,9 +20,8 @@ struct PtmFile : PtmBytes {
 
 // Whether it begins as one does. kIo where it cannot be read.
 bool is_ptm(const FileRef& file);
-// kIo where it cannot be read, kMalformed for what is no such file, ends early, says sizes that it does not hold
-// or contradicts itself;
-// kUnsupported, by name, for the other formats.
+// kIo where it cannot be read, kMalformed for what is no such file, ends early, says sizes that it does not hold,
+// has coefficients beyond floats or contradicts itself; kUnsupported, by name, for the other formats.
 PtmFile read_ptm(const FileRef& file);
 // 1.2; in JPEG planes of that quality, 1 … 100, raw where it is 0. kIo where it cannot be written.
 void write_ptm(const FileRef& file, const PtmBytes& ptm, int jpeg_quality = 0);

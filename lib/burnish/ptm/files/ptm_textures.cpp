@@ -70,6 +70,7 @@ class DescriptionReader {
       d.scale[k] = number(which + "_scale", k % kTermsOfImage);
       d.bias[k] = number(which + "_bias", k % kTermsOfImage) * 255;
     }
+    if (!floats_hold(d.scale, d.bias)) fail("expected coefficients that floats hold, got a scale or bias beyond them");
     return d;
   }
 

@@ -37,8 +37,8 @@ struct PtmTextures {
   PtmType made_of = PtmType::kRgb;  // "type"
   JsonText description;             // all of ptm.json
 };
-// kMalformed where a member is missing or another than above, where an image has another size, channels or samples.
-// Textures of other programs may have biases between the steps of bytes.
+// kMalformed where a member is missing or another than above, or coefficients are beyond floats, where an image has
+// another size, channels or samples. Textures of other programs may have biases between the steps of bytes.
 PtmTextures read_ptm_textures(const PtmTextureFiles& files);
 
 }  // namespace burnish
