@@ -69,6 +69,7 @@ PYTHON
   refuses 1 "expected a model such as ward" burnish-ptm brdf paint.txt -o x/
   refuses 2 "'none.brdf'" burnish-ptm brdf none.brdf -o x/
   refuses 5 "a BRDF PTM is written as textures behind a PREFIX/, or as .exr" burnish-ptm brdf ward: -o x.ptm
+  refuses 5 "standard output: a BRDF PTM is written as textures" burnish-ptm brdf ward: -o - --output-type ptm
   refuses 1 "--size" burnish-ptm brdf ward: --size 0 -o x/
   refuses 1 "--noise-factor" burnish-ptm brdf ward: --noise-factor 1.5 -o x/
   refuses 1 "--parameters" burnish-ptm brdf ward: --parameters view -o x/
@@ -102,6 +103,8 @@ PYTHON
   succeeds burnish-render --validate s.toml --report-dir report
   sed -i 's/"half-difference"/"angles"/' g/ptm.json
   refuses 3 "g/ptm.json': expected parameters half-difference or light-view" burnish-render s.toml -o x.png
+  brdf_scene 'map = "w/"' 'brdf = "ward:ax=0"'
+  refuses 3 "'s.toml': line 18: 'object[0].ptm.brdf': SOURCE: expected ax as a number above 0, got '0'" burnish-render s.toml -o x.png
   burnish-ptm convert g/ -o g.exr
   brdf_scene 'map = "g.exr"' 'brdf = "grey.mbsdf"'
   refuses 3 "expected the PREFIX/ of textures beside 'brdf'" burnish-render s.toml -o x.png

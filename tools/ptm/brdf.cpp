@@ -52,8 +52,9 @@ Json readings(const Brdf& brdf, const Ptm& fitted, const BrdfPtmSettings& settin
 }
 
 Json brdf(Tool& tool, const BrdfVerbOptions& o) {
-  if (o.output.path.ends_with(".ptm"))
-    throw file_error(ErrorKind::kUnsupported, o.output.path,
+  const bool to_stream = o.output.path == "-";
+  if (o.output.path.ends_with(".ptm") || (to_stream && o.output.output_type == "ptm"))
+    throw file_error(ErrorKind::kUnsupported, to_stream ? kStandardOutput : o.output.path,
                      "a BRDF PTM is written as textures behind a PREFIX/, or as .exr, not '.ptm' (--output)");
   const std::shared_ptr<const Brdf> brdf = read_source(tool, o);
   const PtmTarget target(tool, o.output);
@@ -99,8 +100,7 @@ Verb add_brdf(Tool& tool) {
       verb, "--parameters", o->settings.coordinates,
       {{"half-difference", BrdfCoordinates::kHalfDifference}, {"light-view", BrdfCoordinates::kLightView}},
       "What the texture is addressed by, and the polynomial evaluated at: half vector and difference (default), or "
-      "view "
-      "and light");
+      "view and light");
   verb.add_option("--size", o->settings.size, "Texels along each side (default 64)")
       ->check(in_range(1, kLargestBrdfPtm))
       ->type_name("N");
