@@ -105,6 +105,8 @@ PYTHON
   refuses 3 "g/ptm.json': expected parameters half-difference or light-view" burnish-render s.toml -o x.png
   brdf_scene 'map = "w/"' 'brdf = "ward:ax=0"'
   refuses 3 "'s.toml': line 18: 'object[0].ptm.brdf': SOURCE: expected ax as a number above 0, got '0'" burnish-render s.toml -o x.png
+  brdf_scene 'map = "w/"' 'brdf = "paint.txt"'
+  refuses 3 "'s.toml': line 18: 'object[0].ptm.brdf': 'paint.txt': expected a model such as" burnish-render s.toml -o x.png
   burnish-ptm convert g/ -o g.exr
   brdf_scene 'map = "g.exr"' 'brdf = "grey.mbsdf"'
   refuses 3 "expected the PREFIX/ of textures beside 'brdf'" burnish-render s.toml -o x.png

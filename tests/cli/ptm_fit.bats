@@ -134,3 +134,21 @@ PYTHON
     burnish-ptm fit l.lp -o a.ptm --memory 1
   [ -z "$(ls -A disk)" ]
 }
+
+@test "fit: bytes between a JPEG's last scan and its end are no damage" {
+  photos 7 jpg
+  burnish-ptm fit l.lp -o a.ptm
+  mv p4.jpg kept.jpg
+  { head -c -2 kept.jpg && printf '\0\0\0\0\377\331'; } >p4.jpg
+  succeeds burnish-ptm fit l.lp -o b.ptm
+  same_bytes a.ptm b.ptm
+}
+
+@test "fit: more photographs than a process may open unless it asks" {
+  photos 12
+  { echo 84 && for copy in 0 1 2 3 4 5 6; do sed "1d; s/^p/c${copy}_p/" l.lp; done; } >many.lp
+  for copy in 0 1 2 3 4 5 6; do
+    for ((i = 0; i < 12; i++)); do cp p$i.png c${copy}_p$i.png; done
+  done
+  (ulimit -Sn 64 && succeeds burnish-ptm fit many.lp -o many.ptm)
+}

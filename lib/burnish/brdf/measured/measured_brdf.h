@@ -22,6 +22,9 @@
 
 namespace burnish {
 
+// kUsage where a name does not end as those of measurements do.
+void require_measurements(const std::string& name);
+
 // By the extension. kUsage for any other; kIo where it cannot be read; kMalformed where sizes do not fit each other or
 // the file, or values are no numbers; kUnsupported for an .mbsdf of transmission only.
 std::shared_ptr<const Brdf> read_measured_brdf(const FileRef& file);

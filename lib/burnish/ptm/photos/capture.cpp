@@ -1,5 +1,7 @@
 #include "burnish/ptm/photos/capture.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 
 #include "burnish/core/error.h"
@@ -12,11 +14,21 @@ namespace {
 constexpr std::size_t kMostBandBytes = 12 << 20;
 constexpr std::size_t kSpillBytes = 4 << 20;
 
+// Every photograph is open at once, and some systems let a process open a thousand files unless it asks for more.
+void allow_open_files(std::size_t files) {
+  rlimit limit{};
+  const rlim_t wanted = rlim_t(files) + 64;
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= wanted) return;
+  limit.rlim_cur = std::min(wanted, limit.rlim_max);
+  ::setrlimit(RLIMIT_NOFILE, &limit);  // where that is too few, opening fails
+}
+
 std::string size_text(const PhotoForm& f) { return std::to_string(f.width) + "x" + std::to_string(f.height); }
 
 }  // namespace
 
 Capture::Capture(std::vector<FileRef> photos, std::size_t memory, const std::string& directory) {
+  allow_open_files(photos.size());
   for (FileRef& file : photos) {
     const PhotoForm form = open_photo(file)->form();
     if (!photos_.empty() && (form.width != width_ || form.height != height_))

@@ -29,9 +29,11 @@ std::string message_of(j_common_ptr of) {
   return text;
 }
 [[noreturn]] void on_error(j_common_ptr of) { throw JpegFailure{message_of(of)}; }
-// A level below 0 is a warning: data were damaged, and something was made up for them.
+// A level below 0 is a warning: data were damaged, and something was made up for them. But for padding before the end,
+// which some cameras write.
 void on_message(j_common_ptr of, int level) {
-  if (level < 0) throw JpegFailure{message_of(of)};
+  const bool padding = of->err->msg_code == JWRN_EXTRANEOUS_DATA && of->err->msg_parm.i[1] == JPEG_EOI;
+  if (level < 0 && !padding) throw JpegFailure{message_of(of)};
 }
 
 class JpegPhoto : public Photo {

@@ -1,5 +1,6 @@
 #include "burnish/render/ptm/scene_ptm.h"
 
+#include "burnish/brdf/measured/measured_brdf.h"
 #include "burnish/brdf/model_brdf.h"
 #include "burnish/core/error.h"
 #include "burnish/ptm/files/ptm_textures.h"
@@ -8,8 +9,9 @@ namespace burnish {
 namespace {
 
 // What on a command line is an error of usage is the scene's here.
-void require_model(const TomlTable& t, const std::string& source) try {
-  model_brdf(source);
+void require_source(const TomlTable& t, const std::string& source) try {
+  if (is_model_source(source)) model_brdf(source);
+  else require_measurements(source);
 } catch (const Error& error) {
   t.fail("brdf", error.what());
 }
@@ -34,8 +36,8 @@ PtmSource parse_ptm(const TomlTable& t, const std::string& directory) {
   if (t.has("brdf")) {
     p.brdf = t.text("brdf");
     if (p.brdf.empty()) t.fail("brdf", "expected a model or the file of measurements, got ''");
-    if (is_model_source(p.brdf)) require_model(t, p.brdf);
-    else p.brdf = t.file("brdf", directory);
+    require_source(t, p.brdf);
+    if (!is_model_source(p.brdf)) p.brdf = t.file("brdf", directory);
     if (!p.map.ends_with('/'))
       t.fail("map", "expected the PREFIX/ of textures beside 'brdf', whose ptm.json says what they are addressed by");
     if (t.has("ceiling")) p.ceiling = t.number("ceiling", kPositive);
