@@ -9,6 +9,7 @@
 #include "burnish/core/checked_file.h"
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
+#include "burnish/core/whole_file.h"
 #include "burnish/ptm/files/header_text.h"
 #include "burnish/ptm/files/jpeg_planes.h"
 
@@ -16,21 +17,8 @@ namespace burnish {
 namespace {
 
 constexpr int kLargestSide = 1 << 20;
+constexpr std::size_t kLargestFile = std::size_t(1) << 40;  // memory ends before
 const std::string kFormat = "PTM_FORMAT_", kJpeg = "JPEG_", kLrgb = "LRGB", kRgb = "RGB";
-
-std::string whole_file(const FileRef& file) {
-  require_readable(file);
-  std::ifstream in(file.path, std::ios::binary);
-  std::string bytes;
-  constexpr std::size_t kPart = 1 << 16;
-  for (std::size_t got = kPart; got == kPart; bytes.resize(bytes.size() - kPart + got)) {
-    bytes.resize(bytes.size() + kPart);
-    in.read(bytes.data() + bytes.size() - kPart, kPart);
-    got = std::size_t(in.gcount());
-  }
-  if (!in.is_open() || in.bad()) throw file_error(ErrorKind::kIo, file.name, "cannot be read");
-  return bytes;
-}
 
 // `interleaved`: colour stands behind each texel's coefficients.
 void read_raw(std::string_view body, bool interleaved, const HeaderText& header, PtmBytes& out) {
@@ -88,7 +76,7 @@ bool is_ptm(const FileRef& file) {
 }
 
 PtmFile read_ptm(const FileRef& file) {
-  const std::string bytes = whole_file(file);
+  const std::string bytes = read_file(file, kLargestFile);
   HeaderText header(bytes, file.name);
   const std::string magic = bytes.starts_with("PTM_") ? header.word("PTM_1.2") : "";
   if (magic != "PTM_1.2" && magic != "PTM_1.1" && magic != "PTM_1.0")
