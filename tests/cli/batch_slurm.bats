@@ -2,13 +2,16 @@
 load helpers
 
 setup_file() {
-  for program in mungekey munged slurmctld slurmd sbatch; do
-    command -v $program >/dev/null || skip "there is no $program (Debian: slurm-wlm, munge)"
-  done
-  [ "$(id -u)" -eq 0 ] || skip "only root can run slurmd"
-  export SLURM=$BATS_FILE_TMPDIR/slurm
+  export SLURM=$BATS_FILE_TMPDIR/slurm WHY_NOT=
   export SLURM_CONF=$SLURM/slurm.conf
-  start_slurm >"$BATS_FILE_TMPDIR/start.log" 2>&1 || skip "Slurm does not start here: $(tail -n 1 "$BATS_FILE_TMPDIR/start.log")"
+  local program
+  for program in mungekey munged slurmctld slurmd sbatch; do
+    command -v $program >/dev/null || WHY_NOT="there is no $program (Debian: slurm-wlm, munge)"
+  done
+  [ "$(id -u)" -eq 0 ] || WHY_NOT="only root can run slurmd"
+  [ -z "$WHY_NOT" ] || return 0
+  start_slurm >"$BATS_FILE_TMPDIR/start.log" 2>&1 ||
+    WHY_NOT="Slurm does not start here: $(tail -n 1 "$BATS_FILE_TMPDIR/start.log")"
 }
 
 start_slurm() {
@@ -49,17 +52,18 @@ END
 }
 
 teardown_file() {
-  [ -n "${SLURM-}" ] || return 0
+  local daemon
   for daemon in slurmd slurmctld munged; do
     if [ -s "$SLURM/$daemon.pid" ]; then kill "$(cat "$SLURM/$daemon.pid")" 2>/dev/null || true; fi
   done
   for _ in $(seq 50); do  # they write once more
-    [ -z "$(ls "$SLURM"/*.pid 2>/dev/null)" ] && return
+    [ -n "$(ls "$SLURM"/*.pid 2>/dev/null)" ] || break
     sleep 0.2
   done
 }
 
 @test "an array of four makes what one machine does" {
+  [ -z "$WHY_NOT" ] || skip "$WHY_NOT"
   mkdir in
   for texture in "$BURNISH_SOURCE_DIR"/samples/cmake/textures/*.png; do
     for copy in 1 2 3; do cp "$texture" "in/$copy$(basename "$texture")"; done
