@@ -30,7 +30,7 @@
 #include <vector>
 
 #include "burnish/core/file_ref.h"
-#include "burnish/render/toml_file.h"
+#include "burnish/core/toml_file.h"
 
 namespace burnish {
 

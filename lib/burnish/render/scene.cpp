@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <set>
 
+#include "burnish/core/toml_file.h"
 #include "burnish/core/whole_file.h"
 #include "burnish/core/wording.h"
 #include "burnish/render/anisotropy/scene_reflectance.h"
 #include "burnish/render/scene_materials.h"
 #include "burnish/render/scene_objects.h"
-#include "burnish/render/toml_file.h"
 
 namespace burnish {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "burnish/core/toml_file.h"
 #include "burnish/render/lighting/material.h"
-#include "burnish/render/toml_file.h"
 
 namespace burnish {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "burnish/core/toml_file.h"
 #include "burnish/render/scene.h"
-#include "burnish/render/toml_file.h"
 
 namespace burnish {
 

@@ -1,8 +1,8 @@
 // [object.reflectance] and [tables] of a scene; their keys stand in samples/README.md.
 #pragma once
 
+#include "burnish/core/toml_file.h"
 #include "burnish/render/anisotropy/reflectance.h"
-#include "burnish/render/toml_file.h"
 
 namespace burnish {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/render/toml_file.h"
+#include "burnish/core/toml_file.h"
 
 namespace burnish {
 

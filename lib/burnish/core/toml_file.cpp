@@ -1,4 +1,4 @@
-#include "burnish/render/toml_file.h"
+#include "burnish/core/toml_file.h"
 
 #include <toml++/toml.h>
 
