@@ -5,6 +5,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/mesh/files/mesh_io.h"
+#include "damaged.h"
 #include "mesh_samples.h"
 
 namespace burnish {
@@ -75,24 +76,9 @@ TEST_P(MeshDamage, NothingMayFollow) {
 TEST_P(MeshDamage, MutationsReadSoundlyOrNotAtAll) {
   const auto& [leaf, bytes, uvs, normals] = GetParam();
   std::mt19937 random(1);
-  const auto below = [&](std::size_t n) { return std::size_t(random() % n); };
   const std::string likely = std::string("0123456789-+.eE \n\r/\\#fvnalist\xff\x80\x7f") + '\0';
   for (int i = 0; i < 5000; i++) {
-    std::string damaged = bytes;
-    const std::size_t at = below(bytes.size());
-    const char byte = i % 2 ? char(below(256)) : likely[below(likely.size())];
-    switch (i / 2 % 4) {
-      case 0:
-      case 1:
-        damaged[at] = byte;
-        break;
-      case 2:
-        damaged.erase(at, 1 + below(3));
-        break;
-      default:
-        damaged.insert(at, i % 4 ? std::string(1, byte) : bytes.substr(below(bytes.size()), 1 + below(12)));
-    }
-    reads(damaged, leaf + ", mutation " + std::to_string(i));
+    reads(testing::damaged(bytes, bytes.size(), likely, i, random), leaf + ", mutation " + std::to_string(i));
     if (HasFailure()) break;
   }
 }

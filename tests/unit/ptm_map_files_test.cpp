@@ -10,6 +10,7 @@
 #include "burnish/ptm/files/ptm_file.h"
 #include "burnish/ptm/files/ptm_textures.h"
 #include "burnish/ptm/light_matrix.h"
+#include "damaged.h"
 #include "expect_error.h"
 #include "ptm_map_fixture.h"
 #include "scratch_dir.h"
@@ -167,23 +168,8 @@ TEST_P(PtmDamage, MutationsReadSoundlyOrNotAtAll) {
   const std::string bytes = sample(), likely = std::string("0123456789-+.eE \n\rRGBL_\xff\xd8\xd9\x80") + '\0';
   const std::size_t head = std::min<std::size_t>(bytes.size(), 330);
   std::mt19937 random(1);
-  const auto below = [&](std::size_t n) { return std::size_t(random() % n); };
   for (int i = 0; i < 2000; i++) {
-    std::string damaged = bytes;
-    const std::size_t at = below(i % 3 ? head : bytes.size());
-    const char byte = i % 2 ? char(below(256)) : likely[below(likely.size())];
-    switch (i / 2 % 4) {
-      case 0:
-      case 1:
-        damaged[at] = byte;
-        break;
-      case 2:
-        damaged.erase(at, 1 + below(3));
-        break;
-      default:
-        damaged.insert(at, i % 4 ? std::string(1, byte) : bytes.substr(below(bytes.size()), 1 + below(12)));
-    }
-    reads(damaged, "mutation " + std::to_string(i));
+    reads(testing::damaged(bytes, head, likely, i, random), "mutation " + std::to_string(i));
     if (HasFailure()) break;
   }
 }
