@@ -69,6 +69,7 @@ PYTHON
   refuses 1 "expected a model such as ward" burnish-ptm brdf paint.txt -o x/
   refuses 2 "'none.brdf'" burnish-ptm brdf none.brdf -o x/
   refuses 5 "a BRDF PTM is written as textures behind a PREFIX/, or as .exr" burnish-ptm brdf ward: -o x.ptm
+  refuses 1 "--jpeg" burnish-ptm brdf ward: -o x/ --jpeg 90
   refuses 5 "standard output: a BRDF PTM is written as textures" burnish-ptm brdf ward: -o - --output-type ptm
   refuses 1 "--size" burnish-ptm brdf ward: --size 0 -o x/
   refuses 1 "--noise-factor" burnish-ptm brdf ward: --noise-factor 1.5 -o x/

@@ -94,6 +94,11 @@ Verb add_brdf(Tool& tool) {
           ".binary (MERL), .brdf (Cornell), .mbsdf (NVIDIA)")
       ->required();
   o->output.add_to(verb);
+  verb.remove_option(verb.get_option("--jpeg"));  // of .ptm files, which hold no BRDF PTM
+  verb.get_option("--output")
+      ->description(
+          "What to write: six 8-bit textures and their ptm.json behind a PREFIX that ends in '/', or an .exr of the "
+          "coefficients as floats; '-' is standard output");
   add_choice<PtmType>(verb, "--type", o->type, {{"rgb", PtmType::kRgb}, {"lrgb", PtmType::kLrgb}},
                       "A polynomial a colour (default), or one and a colour");
   add_choice<BrdfCoordinates>(
