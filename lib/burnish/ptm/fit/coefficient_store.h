@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "burnish/core/spill_file.h"
 #include "burnish/ptm/ptm_rows.h"
-#include "burnish/ptm/spill_file.h"
 
 namespace burnish {
 

@@ -11,8 +11,8 @@
 
 #include "burnish/core/file_ref.h"
 #include "burnish/core/progress.h"
+#include "burnish/core/spill_file.h"
 #include "burnish/ptm/photos/photo.h"
-#include "burnish/ptm/spill_file.h"
 
 namespace burnish {
 

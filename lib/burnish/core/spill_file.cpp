@@ -1,4 +1,4 @@
-#include "burnish/ptm/spill_file.h"
+#include "burnish/core/spill_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
