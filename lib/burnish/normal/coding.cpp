@@ -52,8 +52,8 @@ bool is_biased(NormalEncoding encoding, bool integer_samples) {
 
 NormalReader::NormalReader(const FileRef& file, const NormalCoding& coding)
     : reader_(file),
-      biased_(is_biased(coding.encoding, reader_.integer())),
-      y_sign_(coding.green == GreenAxis::kDown ? -1.f : 1.f),
+      vectors_{is_biased(coding.encoding, reader_.integer()), coding.green == GreenAxis::kDown,
+               coding.channels.size() == 2},
       component_{0, 1, 2} {
   if (coding.channels.empty()) {
     if (reader_.channels() < 3)
@@ -68,10 +68,10 @@ NormalReader::NormalReader(const FileRef& file, const NormalCoding& coding)
     component_[i] = i < coding.channels.size() ? locate(coding.channels[i], reader_, coding.channels) : -1;
 }
 
-Vec3f NormalReader::decode(float x, float y, float z, bool& invalid) const {
-  if (biased_) x = 2.f * x - 1.f, y = 2.f * y - 1.f, z = 2.f * z - 1.f;
-  if (component_[2] < 0) z = std::sqrt(std::max(0.f, 1.f - x * x - y * y));
-  const Vec3d v{x, y_sign_ * y, z};
+Vec3f VectorCoding::decode(float x, float y, float z, bool& invalid) const {
+  if (biased) x = 2.f * x - 1.f, y = 2.f * y - 1.f, z = 2.f * z - 1.f;
+  if (rebuilds_z) z = std::sqrt(std::max(0.f, 1.f - x * x - y * y));
+  const Vec3d v{x, green_down ? -y : y, z};
   const double l = length(v);
   invalid = l < kShortest;
   return invalid ? Vec3f{0, 0, 1} : Vec3f(v / l);
@@ -95,7 +95,7 @@ void NormalReader::read_rows(int first, int count, Vec3f* out) {
         continue;
       }
       bool short_vector;
-      out[i] = decode(x, y, z, short_vector);
+      out[i] = vectors_.decode(x, y, z, short_vector);
       bad += short_vector;
     }
     invalid += bad;

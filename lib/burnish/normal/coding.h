@@ -27,6 +27,15 @@ struct NormalCoding {
   std::string channels;
 };
 
+// How a vector comes of its stored components: what is left of a coding once the file is known.
+struct VectorCoding {
+  bool biased = false, green_down = false;
+  bool rebuilds_z = false;  // from x and y; the z that is given does not matter
+
+  // Unit, of components of integers scaled to [0,1]; sets `invalid` where it is too short.
+  Vec3f decode(float x, float y, float z, bool& invalid) const;
+};
+
 // A normal map's vectors, decoded a band of rows at a time.
 class NormalReader {
  public:
@@ -46,16 +55,14 @@ class NormalReader {
   void read_rows(int first, int count, Vec3f* out);
   // All of them; kUnsupported where memory does not hold them.
   std::vector<Vec3f> read_all();
-  // One vector from its stored components, as read_rows does it; integers scaled to [0,1]. Sets `invalid` where it is
-  // too short.
-  Vec3f decode(float x, float y, float z, bool& invalid) const;
+  // How read_rows decodes each.
+  const VectorCoding& vectors() const { return vectors_; }
 
   std::size_t invalid_texels() const { return invalid_; }
 
  private:
   ImageReader reader_;
-  bool biased_;
-  float y_sign_;
+  VectorCoding vectors_;
   int component_[3];
   std::size_t invalid_ = 0;
   std::vector<float> band_;

@@ -1,9 +1,4 @@
-// Which normals maps hold, of which material, and how often: what a palette is fitted to.
-//
-// The counts of several maps are added up. Every distinct normal is kept while there are at most 2^21 of them; of more,
-// all are counted in octahedral bins of 2·16 bits, or as many fewer as it takes to have at most 2^20; a bin stands for
-// the mean of what fell into it. Counted in integers, so that the result does not depend on the order, of the maps
-// neither, nor on threads. Memory does not grow with the number of maps.
+// What a palette is fitted to: of each material the distinct normals, and how often they occur (NormalCounts).
 #pragma once
 
 #include <vector>
@@ -11,7 +6,7 @@
 #include "burnish/core/progress.h"
 #include "burnish/palette/fit/weighted_normal.h"
 #include "burnish/palette/key_table.h"
-#include "burnish/palette/map_set.h"
+#include "burnish/palette/normal_counts.h"
 
 namespace burnish {
 
@@ -24,17 +19,10 @@ struct Histogram {
   std::size_t distinct = 0;  // (material, normal) pairs among those that count; bins where not exact
   bool exact = true;
 
-  struct Texels {
-    std::uint64_t counted = 0;
-    std::uint64_t invalid = 0;  // of them, vectors without a direction
-  };
-  std::vector<Texels> maps;  // of each map
+  std::vector<NormalCounts::Texels> maps;  // of each map
 
-  // Where exact: every key (material << TexelKeys::kBits | texel key) that occurs, masked texels' too, numbered as keys
-  // and normals below.
-  static std::uint64_t key(int material, std::uint64_t texel) {
-    return std::uint64_t(material) << TexelKeys::kBits | texel;
-  }
+  // Where exact: every key that occurs, masked texels' too, numbered as keys and normals below.
+  static std::uint64_t key(int material, std::uint64_t texel) { return NormalCounts::key(material, texel); }
   KeyTable table;
   struct Key {
     int group;
@@ -43,6 +31,9 @@ struct Histogram {
   };
   std::vector<Key> keys;
 };
+
+// `maps` stays empty.
+Histogram histogram_of(NormalCounts counts);
 
 Histogram count_normals(MapSet& maps, const Progress& progress = {});
 

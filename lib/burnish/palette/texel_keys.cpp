@@ -2,6 +2,7 @@
 
 #include <Imath/half.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstring>
@@ -17,6 +18,9 @@ constexpr std::size_t kKeepBytes = std::size_t(256) << 20;
 constexpr int kOctahedralBits = 24, kVectorBits = 48;
 // The octahedral square leaves one number over: it marks vectors without a direction.
 constexpr std::uint64_t kInvalid = (std::uint64_t(1) << kVectorBits) - 1;
+// Above the vector: two bits of the packing, three of the coding.
+constexpr int kCodingShift = kVectorBits + 2;
+constexpr std::uint64_t kBiased = 1, kGreenDown = 2, kRebuildsZ = 4;
 
 float half_value(std::uint16_t bits) {
   half h;
@@ -34,7 +38,10 @@ TexelKeys::TexelKeys(const FileRef& file, const NormalCoding& coding) : reader_(
              : image.sample_type() == SampleType::kUint16 ? Packing::kWords
              : image.sample_type() == SampleType::kHalf   ? Packing::kHalves
                                                           : Packing::kOctahedral;
-  tag_ = std::uint64_t(packing_) << kVectorBits;
+  const VectorCoding& c = reader_.vectors();
+  const std::uint64_t bits =
+      (c.biased ? kBiased : 0) | (c.green_down ? kGreenDown : 0) | (c.rebuilds_z ? kRebuildsZ : 0);
+  tag_ = (packing_ == Packing::kOctahedral ? 0 : bits << kCodingShift) | std::uint64_t(packing_) << kVectorBits;
   const std::size_t sample = packing_ == Packing::kBytes ? 1 : packing_ == Packing::kOctahedral ? 4 : 2;
   row_bytes_ = sample * image.channels() * image.width();
   if (row_bytes_ * height() <= kKeepBytes) whole_.resize(row_bytes_ * height());
@@ -100,25 +107,46 @@ void TexelKeys::pack(const std::byte* samples, std::size_t texels, std::uint64_t
         const float z = c[2] < 0 ? 0.f : s[c[2]];
         if (!std::isfinite(s[c[0]] + s[c[1]] + z)) refuse(i);
         bool invalid;
-        const Vec3f n = reader_.decode(s[c[0]], s[c[1]], z, invalid);
+        const Vec3f n = reader_.vectors().decode(s[c[0]], s[c[1]], z, invalid);
         keys[i] = tag_ | (invalid ? kInvalid : pack_octahedral(Vec3d(n), kOctahedralBits));
       }
     }
   }
 }
 
-Vec3f TexelKeys::decode(std::uint64_t key, bool& invalid) const {
+Vec3f TexelKeys::decode(std::uint64_t key, bool& invalid) {
   const std::uint16_t x = std::uint16_t(key >> 32), y = std::uint16_t(key >> 16), z = std::uint16_t(key);
-  switch (packing_) {
+  const std::uint64_t bits = key >> kCodingShift;
+  const VectorCoding coding{(bits & kBiased) != 0, (bits & kGreenDown) != 0, (bits & kRebuildsZ) != 0};
+  switch (Packing(key >> kVectorBits & 3)) {
     case Packing::kBytes:
-      return reader_.decode(x / 255.f, y / 255.f, z / 255.f, invalid);
+      return coding.decode(x / 255.f, y / 255.f, z / 255.f, invalid);
     case Packing::kWords:
-      return reader_.decode(x / 65535.f, y / 65535.f, z / 65535.f, invalid);
+      return coding.decode(x / 65535.f, y / 65535.f, z / 65535.f, invalid);
     case Packing::kHalves:
-      return reader_.decode(half_value(x), half_value(y), half_value(z), invalid);
+      return coding.decode(half_value(x), half_value(y), half_value(z), invalid);
     default:
       invalid = (key & kInvalid) == kInvalid;
       return invalid ? Vec3f{0, 0, 1} : Vec3f(unpack_octahedral(key & kInvalid, kOctahedralBits));
+  }
+}
+
+bool TexelKeys::is_key(std::uint64_t number) {
+  const std::uint64_t x = number >> 32 & 0xffff, y = number >> 16 & 0xffff, z = number & 0xffff;
+  const std::uint64_t bits = number >> kCodingShift;
+  if (number >> kBits != 0 || ((bits & kRebuildsZ) && z != 0)) return false;
+  switch (Packing(number >> kVectorBits & 3)) {
+    case Packing::kBytes:
+      return std::max({x, y, z}) <= 0xff;
+    case Packing::kWords:
+      return true;
+    case Packing::kHalves:
+      return std::max({x & 0x7fff, y & 0x7fff, z & 0x7fff}) < 0x7c00;  // none infinite or NaN
+    default: {
+      constexpr std::uint64_t kMost = (1 << kOctahedralBits) - 2;
+      const std::uint64_t u = number >> kOctahedralBits & (kMost + 1), v = number & (kMost + 1);
+      return bits == 0 && ((number & kInvalid) == kInvalid || std::max(u, v) <= kMost);
+    }
   }
 }
 
