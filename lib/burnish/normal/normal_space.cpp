@@ -26,4 +26,17 @@ std::optional<NormalSpace> recorded_space(const ImageReader& reader) {
   return space_from_name(*text, reader.name());
 }
 
+std::optional<NormalSpace> agreed_space(const std::vector<SpaceOfFile>& files) {
+  const SpaceOfFile* first = nullptr;
+  for (const SpaceOfFile& f : files) {
+    if (!f.space) continue;
+    if (!first) first = &f;
+    if (*f.space != *first->space)
+      throw file_error(ErrorKind::kMalformed, f.name,
+                       std::string("expected normals in ") + name(*first->space) + " space, as in '" + first->name +
+                           "', got " + name(*f.space) + " space");
+  }
+  return first ? first->space : std::nullopt;
+}
+
 }  // namespace burnish

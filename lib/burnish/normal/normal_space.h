@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "burnish/core/image_io.h"
 
@@ -19,5 +20,13 @@ NormalSpace space_from_name(const std::string& text, const std::string& file_nam
 Attributes space_attributes(NormalSpace space);
 // What the file says; none where it says nothing. kMalformed for a space of another name.
 std::optional<NormalSpace> recorded_space(const ImageReader& reader);
+
+// What files that belong together say, none where none of them does. kMalformed, naming both, where two contradict each
+// other.
+struct SpaceOfFile {
+  std::string name;
+  std::optional<NormalSpace> space;
+};
+std::optional<NormalSpace> agreed_space(const std::vector<SpaceOfFile>& files);
 
 }  // namespace burnish

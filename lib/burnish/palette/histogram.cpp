@@ -69,11 +69,7 @@ Histogram histogram_of(NormalCounts counts) {
 
 Histogram count_normals(MapSet& maps, const Progress& progress) {
   NormalCounts counts;
-  std::vector<NormalCounts::Texels> of_maps;
-  for (std::size_t i = 0; i < maps.size(); i++) {
-    const double from = double(i) / double(maps.size()), to = double(i + 1) / double(maps.size());
-    of_maps.push_back(counts.add(maps.open(i), part_of(progress, from, to)));
-  }
+  std::vector<NormalCounts::Texels> of_maps = counts.add(maps, progress);
   Histogram out = histogram_of(std::move(counts));
   out.maps = std::move(of_maps);
   return out;

@@ -70,10 +70,15 @@ class NormalBins {
 
   // How many bits coarser each coordinate is than 16.
   int shift() const { return shift_; }
-  // Of keys.
+  // Of keys; and whether a number from elsewhere is one.
   static std::uint64_t kept_bits(int shift) {
     const std::uint64_t low = 0xffffu >> shift << shift;
     return ~std::uint64_t(0xffffffffu) | low << 16 | low;
+  }
+  static bool is_key(std::uint64_t number, int shift) {
+    const std::uint64_t most = (1 << kBits) - 2, u = number >> kBits & 0xffff, v = number & 0xffff;
+    return number >> 48 == 0 && (number >> 33 & 0x7f) == 0 && (number & kept_bits(shift)) == number &&
+           std::max(u, v) <= most;
   }
   std::vector<Bin> sorted() const {
     std::vector<Bin> out;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
 
 namespace burnish {
@@ -49,6 +50,19 @@ NormalCounts::NormalCounts(NormalBins bins, std::uint64_t invalid) : bins_(std::
   texels_.invalid = invalid;
   for (const NormalBins::Bin& b : bins_->sorted())
     if (b.counts()) texels_.counted += b.sum.texels;
+}
+
+std::vector<NormalCounts::Texels> NormalCounts::add(MapSet& maps, const Progress& progress) {
+  std::vector<Texels> of_maps;
+  for (std::size_t i = 0; i < maps.size(); i++) {
+    const double from = double(i) / double(maps.size()), to = double(i + 1) / double(maps.size());
+    of_maps.push_back(add(maps.open(i), part_of(progress, from, to)));
+    if (of_maps.back().counted == 0)
+      throw file_error(
+          ErrorKind::kMalformed, maps.files(i).mask.name,
+          "expected texels that are not 0, got none: it masks every texel of '" + maps.files(i).normals.name + "'");
+  }
+  return of_maps;
 }
 
 NormalCounts::Texels NormalCounts::add(OpenMap& map, const Progress& progress) {

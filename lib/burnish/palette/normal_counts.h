@@ -43,9 +43,9 @@ class NormalCounts {
   // Of what was too much to be kept exactly; `invalid` as in Texels.
   NormalCounts(NormalBins bins, std::uint64_t invalid);
 
-  // The texels of a map. Errors as TexelKeys::read_rows; all that add throw kUnsupported for more texels than a bin
-  // holds.
-  Texels add(OpenMap& map, const Progress& progress);
+  // The texels of maps; of each, how many. Errors as MapSet::open and TexelKeys::read_rows; kMalformed for a mask of
+  // zeros. All that add throw kUnsupported for more texels than a bin holds.
+  std::vector<Texels> add(MapSet& maps, const Progress& progress = {});
   // What others have counted.
   void add(const NormalCounts& other);
   // Texels of one normal; whether it is invalid is found out here.
@@ -63,6 +63,7 @@ class NormalCounts {
 
  private:
   struct Lane;
+  Texels add(OpenMap& map, const Progress& progress);
   static bool count(OpenMap& map, const Progress& progress, std::vector<Lane>& lanes);
   void count_in_bins(OpenMap& map, const Progress& progress);
   void change_to_bins();

@@ -12,19 +12,15 @@
 
 #include "burnish/core/progress.h"
 #include "burnish/normal/coding.h"
+#include "burnish/palette/angle_stats.h"
 #include "burnish/palette/dither.h"
-#include "burnish/palette/engine.h"
+#include "burnish/palette/fit/fit_palette.h"
 #include "burnish/palette/indexed_map.h"
 #include "burnish/palette/map_set.h"
-#include "burnish/palette/material_cube.h"
 
 namespace burnish {
 
-struct QuantizeOptions {
-  int normals = 256;                       // 2 to 65536
-  std::optional<double> target_error_deg;  // instead: the smallest palette whose RMS angle, undithered, is at most that
-  Engine engine = Engine::kSpherical;
-  MaterialEncoding encoding = MaterialEncoding::kSplit;
+struct QuantizeOptions : PaletteOptions {
   // Use this palette instead of fitting one: with kSplit what read_palette reads, otherwise colours of the cube, as
   // read_cube_colours does.
   FileRef palette;
@@ -38,6 +34,8 @@ struct MapStats {
   std::size_t texels = 0;          // that count
   std::size_t invalid_texels = 0;  // of them, vectors without a direction, taken as (0,0,1)
   double rms_deg = 0, mean_deg = 0, p95_deg = 0, max_deg = 0;
+
+  void set_angles(const AngleStats& angles);
 };
 
 struct QuantizedMapStats : MapStats {

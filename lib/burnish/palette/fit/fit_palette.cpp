@@ -28,10 +28,14 @@ Palette palette_of(std::vector<std::vector<Vec3f>> groups, const std::vector<int
   return palette;
 }
 
-Palette fit_palette(const Histogram& histogram, const FitOptions& options, int n, const Progress& progress) {
+namespace {
+
+// At most n entries, at least one of each material.
+Palette fit_entries(const Histogram& histogram, const PaletteOptions& options, NormalSpace space, int n,
+                    const Progress& progress = {}) {
   const auto& points = histogram.groups;
   const auto sorted = [&](std::vector<std::vector<Vec3f>> groups) {
-    return palette_of(std::move(groups), histogram.material, options.space);
+    return palette_of(std::move(groups), histogram.material, space);
   };
   require_an_entry_each(points.size(), n);
   if (options.encoding != MaterialEncoding::kSplit)
@@ -45,10 +49,12 @@ Palette fit_palette(const Histogram& histogram, const FitOptions& options, int n
   return sorted(std::move(groups));
 }
 
-// Between a size that fails and the next, which does not. Errors fall with the root of the size, so a measured palette
-// foretells where to look next; where that narrows too little, the middle is taken.
-Palette fit_palette_to_error(const Histogram& histogram, const FitOptions& options, double target_deg,
-                             const Progress& progress) {
+// The smallest palette within the target: between a size that fails and the next, which does not. Errors fall with the
+// root of the size, so a measured palette foretells where to look next; where that narrows too little, the middle is
+// taken.
+Palette fit_to_error(const Histogram& histogram, const PaletteOptions& options, NormalSpace space,
+                     const Progress& progress) {
+  const double target_deg = *options.target_error_deg;
   const int most = options.engine == Engine::kImagequant ? kImagequantMost : kMaxPaletteSize;
   const int least = std::max<int>(1, int(histogram.groups.size()));
   struct Measured {
@@ -57,7 +63,7 @@ Palette fit_palette_to_error(const Histogram& histogram, const FitOptions& optio
     Palette palette;
   };
   const auto measure = [&](int n) {
-    Measured m{n, 0, fit_palette(histogram, options, n)};
+    Measured m{n, 0, fit_entries(histogram, options, space, n)};
     m.rms_deg = nearest_angles(histogram, m.palette, entry_ranges(m.palette, histogram.material, "palette")).rms_deg();
     return m;
   };
@@ -90,6 +96,34 @@ Palette fit_palette_to_error(const Histogram& histogram, const FitOptions& optio
     report_progress(progress, 1 - double(good.size - fails) / interval_at_first);
   }
   return std::move(good.palette);
+}
+
+}  // namespace
+
+void require_sane(const PaletteOptions& o) {
+  const auto usage = [](const std::string& message) { throw Error(ErrorKind::kUsage, message); };
+  if (o.normals < 2 || o.normals > kMaxPaletteSize)
+    usage("normals: expected 2 to 65536, got " + std::to_string(o.normals));
+  if (o.target_error_deg && !(*o.target_error_deg >= 0 && *o.target_error_deg <= 180))
+    usage("target-error: expected degrees from 0 to 180, got " + number_text(*o.target_error_deg));
+  if (o.engine == Engine::kImagequant && !o.target_error_deg && o.normals > kImagequantMost)
+    throw Error(ErrorKind::kUnsupported,
+                "engine: imagequant holds at most 256 normals, not " + std::to_string(o.normals));
+}
+
+void require_encodable(MaterialEncoding encoding, std::size_t materials, const std::string& files) {
+  if (encoding == MaterialEncoding::kSubcubes && materials > kMostSubcubes)
+    throw Error(ErrorKind::kUnsupported, "material-encoding: subcubes holds at most 4 materials, not " +
+                                             std::to_string(materials) + " as in " + files);
+}
+
+Palette fit_palette(const Histogram& histogram, const PaletteOptions& options, NormalSpace space,
+                    const std::string& files, const Progress& progress) {
+  if (options.target_error_deg) return fit_to_error(histogram, options, space, progress);
+  if (const std::size_t materials = histogram.material.size(); std::size_t(options.normals) < materials)
+    throw Error(ErrorKind::kMalformed, "normals: expected at least one for each of the " + std::to_string(materials) +
+                                           " materials in " + files + ", got " + std::to_string(options.normals));
+  return fit_entries(histogram, options, space, options.normals, progress);
 }
 
 }  // namespace burnish
