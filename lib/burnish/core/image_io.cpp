@@ -1,6 +1,6 @@
 #include "burnish/core/image_io.h"
 
-#include "burnish/core/error.h"
+#include "burnish/core/byte_rows.h"
 
 namespace burnish {
 
@@ -14,28 +14,16 @@ void write_image(const FileRef& file, FileType type, SampleType sample, const Im
 }
 
 ByteImage read_ids(const FileRef& file, int width, int height) {
-  ImageReader reader(file);
-  if (reader.channels() != 1)
-    throw file_error(ErrorKind::kMalformed, file.name,
-                     "expected 1 channel of material ids, got " + std::to_string(reader.channels()));
-  if (!reader.has_exact_samples() || reader.sample_type() != SampleType::kUint8)
-    throw file_error(ErrorKind::kMalformed, file.name,
-                     std::string("expected material ids as uint8, got ") + burnish::name(reader.sample_type()));
-  reader.require_size(width, height, "the normal map");
+  ByteRows rows = ByteRows::of_ids(file, width, height);
   ByteImage ids(width, height);
-  reader.read_rows_stored(0, height, ids.data.data());
+  rows.read(0, height, ids.data.data());
   return ids;
 }
 
 ByteImage read_mask(const FileRef& file, int width, int height) {
-  ImageReader reader(file);
-  reader.require_size(width, height, "the map it masks");
+  ByteRows rows = ByteRows::of_mask(file, width, height);
   ByteImage mask(width, height);
-  std::vector<float> row(std::size_t(width) * reader.channels());
-  for (int y = 0; y < height; y++) {
-    reader.read_rows(y, 1, row.data());
-    for (int x = 0; x < width; x++) mask.row(y)[x] = row[std::size_t(x) * reader.channels()] != 0.f;
-  }
+  rows.read(0, height, mask.data.data());
   return mask;
 }
 

@@ -15,6 +15,9 @@ namespace burnish {
 
 inline int next_level_size(int n) { return std::max(1, n / 2); }
 
+// Of a side of n texels in the base.
+inline int level_size(int n, int level) { return std::max(1, n >> level); }
+
 inline int level_count(int width, int height) {
   int n = 1;
   for (; width > 1 || height > 1; n++) width = next_level_size(width), height = next_level_size(height);

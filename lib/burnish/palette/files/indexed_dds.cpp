@@ -55,6 +55,16 @@ Header read_header(ContainerReader& in, const FileRef& file) {
   return {u32_at(head, kWidth), u32_at(head, kHeight), std::max(u32_at(head, kLevels), 1u), format};
 }
 
+std::vector<std::uint64_t> offsets_of_levels(int width, int height, int levels, int bytes) {
+  std::vector<std::uint64_t> offsets;
+  std::uint64_t at = kTexelsAt;
+  for (int l = 0; l < levels; l++) {
+    offsets.push_back(at);
+    at += std::uint64_t(level_size(width, l)) * level_size(height, l) * bytes;
+  }
+  return offsets;
+}
+
 }  // namespace
 
 bool is_indexed_dds(const FileRef& file) {
@@ -67,33 +77,27 @@ bool is_indexed_dds(const FileRef& file) {
   }
 }
 
-IndexedMap read_indexed_dds(const FileRef& file) {
+std::unique_ptr<IndexSource> open_indexed_dds(const FileRef& file) {
   ContainerReader in(file);
   const Header h = read_header(in, file);
   require_sane_levels(file, h.width, h.height, h.levels);
   const int bytes = h.format == kR8Uint ? 1 : 2;
-  IndexedMap map;
-  std::uint64_t at = kTexelsAt;
-  int width = int(h.width), height = int(h.height);
-  for (std::uint32_t l = 0; l < h.levels; l++) {
-    map.levels.push_back(in.read_texels(at, width, height, bytes));
-    at += std::uint64_t(width) * height * bytes;
-    width = next_level_size(width), height = next_level_size(height);
-  }
-  return map;
+  const int width = int(h.width), height = int(h.height);
+  return std::make_unique<ContainerSource>(std::move(in), width, height,
+                                           offsets_of_levels(width, height, int(h.levels), bytes), bytes);
 }
 
-void write_indexed_dds(const FileRef& file, const IndexedMap& map) {
+std::unique_ptr<IndexTarget> create_indexed_dds(const FileRef& file, const IndexShape& shape) {
   constexpr std::uint32_t kCapsField = 0x1, kHeightField = 0x2, kWidthField = 0x4, kPitchField = 0x8,
                           kPixelFormatField = 0x1000, kLevelsField = 0x20000;
   constexpr std::uint32_t kComplex = 0x8, kTexture = 0x1000, kMipmap = 0x400000;
-  const int bytes = bytes_per_index(map.palette.normals.size());
-  const std::uint32_t levels = std::uint32_t(map.levels.size());
+  const int bytes = bytes_per_index(shape.palette.normals.size());
+  const std::uint32_t levels = std::uint32_t(shape.levels);
 
   std::string head = "DDS ";
   for (const std::uint32_t word :
        {kHeaderBytes, kCapsField | kHeightField | kWidthField | kPitchField | kPixelFormatField | kLevelsField,
-        std::uint32_t(map.height()), std::uint32_t(map.width()), std::uint32_t(map.width() * bytes), 0u, levels})
+        std::uint32_t(shape.height), std::uint32_t(shape.width), std::uint32_t(shape.width * bytes), 0u, levels})
     append_u32(head, word);
   head.resize(kPixelFormatSize);  // reserved words
   append_u32(head, kPixelFormatBytes);
@@ -104,10 +108,8 @@ void write_indexed_dds(const FileRef& file, const IndexedMap& map) {
   head.resize(kFormat);
   for (const std::uint32_t word : {bytes == 1 ? kR8Uint : kR16Uint, kTexture2d, 0u, 1u, 0u}) append_u32(head, word);
 
-  ContainerWriter out(file);
-  out.write(head);
-  for (const IndexImage& level : map.levels) out.write_texels(level, bytes);
-  out.close();
+  return std::make_unique<ContainerTarget>(file, head, shape.width,
+                                           offsets_of_levels(shape.width, shape.height, shape.levels, bytes), bytes);
 }
 
 }  // namespace burnish::detail

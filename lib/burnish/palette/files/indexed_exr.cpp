@@ -15,11 +15,15 @@
 #include <ImfTiledOutputFile.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 
 #include "burnish/core/checked_file.h"
 #include "burnish/core/codec_message.h"
 #include "burnish/core/error.h"
+#include "burnish/core/mip.h"
 #include "burnish/core/parallel.h"
+#include "burnish/core/spill_file.h"
 #include "burnish/palette/files/indexed_files.h"
 
 namespace burnish::detail {
@@ -35,16 +39,26 @@ Error codec_error(const FileRef& file, const std::exception& error) {
 // A CheckedFile as the library takes it; its own stream passes over a full disk when it closes.
 class CheckedStream final : public Imf::OStream {
  public:
-  explicit CheckedStream(const FileRef& file) : OStream(file.name.c_str()), file_(file.path), name_(file.name) {
-    check();
-  }
+  explicit CheckedStream(const FileRef& file) : OStream(file.name.c_str()), ref_(file), file_(file.path) { check(); }
   void write(const char bytes[], int n) override {
     file_.write(bytes, std::size_t(n));
     check();
   }
   std::uint64_t tellp() override { return std::uint64_t(file_.position()); }
   void seekp(std::uint64_t position) override { file_.seek(std::int64_t(position)); }
-  // After what writes to it is gone.
+  // Runs what writes to it through the library.
+  template <typename Body>
+  void guard(const Body& body) {
+    try {
+      body();
+    } catch (const Error&) {
+      throw;
+    } catch (const std::exception& error) {
+      close();  // says why, if it was the disk
+      throw file_error(ErrorKind::kIo, ref_.name, "cannot be written: " + codec_message(error.what(), ref_));
+    }
+  }
+  // After what writes to it is gone: sees to it that all has reached the disk.
   void close() {
     file_.close();
     check();
@@ -52,27 +66,13 @@ class CheckedStream final : public Imf::OStream {
 
  private:
   void check() const {
-    if (file_.first_error()) throw file_.error(name_);
+    if (file_.first_error()) throw file_.error(ref_.name);
   }
+  FileRef ref_;
   CheckedFile file_;
-  std::string name_;
 };
 
-// Runs body(stream) and sees to it that all of it has reached the disk.
-template <typename Body>
-void write_checked(const FileRef& file, const Body& body) {
-  Imf::setGlobalThreadCount(thread_limit() > 1 ? thread_limit() : 0);
-  CheckedStream stream(file);
-  try {
-    body(stream);
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    stream.close();  // says why, if it was the disk
-    throw file_error(ErrorKind::kIo, file.name, "cannot be written: " + codec_message(error.what(), file));
-  }
-  stream.close();
-}
+void use_threads() { Imf::setGlobalThreadCount(thread_limit() > 1 ? thread_limit() : 0); }
 
 void insert_palette(Imf::Header& header, const Palette& palette) {
   std::vector<float> flat;
@@ -109,18 +109,19 @@ Palette extract_palette(const Imf::Header& header, const FileRef& file) {
   return palette;
 }
 
-// Rows of 32-bit indices, since that is what the file holds, into 16 bits after a look at their size.
-void narrow(const std::vector<std::uint32_t>& in, IndexImage& out, const FileRef& file) {
-  for (std::size_t i = 0; i < in.size(); i++) {
+// 32-bit indices, since that is what the file holds, into 16 bits after a look at their size.
+void narrow(const std::uint32_t* in, std::size_t count, std::uint16_t* out, const FileRef& file) {
+  for (std::size_t i = 0; i < count; i++) {
     if (in[i] >= std::uint32_t(kMaxPaletteSize))
       throw file_error(ErrorKind::kMalformed, file.name, "expected indices below 65536, got " + std::to_string(in[i]));
-    out.data[i] = std::uint16_t(in[i]);
+    out[i] = std::uint16_t(in[i]);
   }
 }
 
-Imf::FrameBuffer frame_buffer(std::uint32_t* data, int width, int first_row) {
+// Whose first row is that one of the image.
+Imf::FrameBuffer frame_buffer(std::vector<std::uint32_t>& data, int width, int first_row) {
   Imf::FrameBuffer buffer;
-  char* base = reinterpret_cast<char*>(data) - sizeof(std::uint32_t) * std::ptrdiff_t(first_row) * width;
+  char* base = reinterpret_cast<char*>(data.data()) - sizeof(std::uint32_t) * std::ptrdiff_t(first_row) * width;
   buffer.insert(kChannel, Imf::Slice(Imf::UINT, base, sizeof(std::uint32_t), sizeof(std::uint32_t) * width));
   return buffer;
 }
@@ -135,6 +136,205 @@ void require_sane_size(const Imf::Header& header, const FileRef& file) {
   require_room_for(file, w, h, 16);  // halves are the smallest samples of an EXR
 }
 
+// Runs what calls the library on a file that is read.
+template <typename Body>
+auto reading(const FileRef& file, const Body& body) {
+  try {
+    return body();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw codec_error(file, error);
+  }
+}
+
+class ScanlineSource final : public IndexSource {
+ public:
+  explicit ScanlineSource(const FileRef& file) : file_(file), in_(file.path.c_str()) {
+    require_sane_size(in_.header(), file);
+    palette = extract_palette(in_.header(), file);
+    const Imath::Box2i window = in_.header().dataWindow();
+    width = window.max.x + 1, height = window.max.y + 1;
+  }
+
+  void read_rows(int, int first, int count, std::uint16_t* out) override {
+    reading(file_, [&] {
+      constexpr int kRows = 256;
+      for (int y = first; y < first + count; y += kRows, out += std::size_t(kRows) * width) {
+        const int rows = std::min(kRows, first + count - y);
+        band_.resize(std::size_t(rows) * width);
+        in_.setFrameBuffer(frame_buffer(band_, width, y));
+        in_.readPixels(y, y + rows - 1);
+        narrow(band_.data(), band_.size(), out, file_);
+      }
+    });
+  }
+
+ private:
+  FileRef file_;
+  Imf::InputFile in_;
+  std::vector<std::uint32_t> band_;
+};
+
+class TiledSource final : public IndexSource {
+ public:
+  explicit TiledSource(const FileRef& file) : file_(file), in_(file.path.c_str()) {
+    require_sane_size(in_.header(), file);
+    palette = extract_palette(in_.header(), file);
+    if (in_.levelMode() == Imf::RIPMAP_LEVELS || in_.levelRoundingMode() != Imf::ROUND_DOWN)
+      throw file_error(ErrorKind::kUnsupported, file.name, "expected mip levels rounded down");
+    width = in_.levelWidth(0), height = in_.levelHeight(0), levels = in_.numLevels();
+  }
+
+  void read_rows(int level, int first, int count, std::uint16_t* out) override {
+    reading(file_, [&] {
+      const int w = in_.levelWidth(level);
+      for (const int end = first + count; first < end;) {
+        if (level != level_ || first < first_ || first >= end_) load(level, first);
+        const int rows = std::min(end, end_) - first;
+        narrow(band_.data() + std::size_t(first - first_) * w, std::size_t(rows) * w, out, file_);
+        first += rows, out += std::size_t(rows) * w;
+      }
+    });
+  }
+
+ private:
+  // The tiles of a row, from that one on, and of as many below as make some work for threads.
+  void load(int level, int row) {
+    constexpr std::size_t kTexels = std::size_t(1) << 20;
+    const int w = in_.levelWidth(level), tile = int(in_.tileYSize()), first = row / tile;
+    const int tile_rows = int(std::max<std::size_t>(1, kTexels / (std::size_t(w) * tile)));
+    const int last = std::min(first + tile_rows, in_.numYTiles(level)) - 1;
+    level_ = -1;  // until it is whole
+    first_ = first * tile, end_ = std::min((last + 1) * tile, in_.levelHeight(level));
+    band_.resize(std::size_t(end_ - first_) * w);
+    in_.setFrameBuffer(frame_buffer(band_, w, first_));
+    in_.readTiles(0, in_.numXTiles(level) - 1, first, last, level);
+    level_ = level;
+  }
+
+  FileRef file_;
+  Imf::TiledInputFile in_;
+  int level_ = -1, first_ = 0, end_ = 0;  // rows of a level that are held
+  std::vector<std::uint32_t> band_;
+};
+
+Imf::Header header_of(const IndexShape& shape) {
+  Imf::Header header(shape.width, shape.height);
+  header.channels().insert(kChannel, Imf::Channel(Imf::UINT));
+  insert_palette(header, shape.palette);
+  return header;
+}
+
+class ScanlineTarget final : public IndexTarget {
+ public:
+  ScanlineTarget(const FileRef& file, const IndexShape& shape) : stream_(file), width_(shape.width) {
+    stream_.guard([&] { out_.emplace(stream_, header_of(shape)); });
+  }
+
+  void write_rows(int, int count, const std::uint16_t* rows) override {
+    constexpr int kRows = 256;  // many blocks of 16 lines, so that threads have work, and no second copy of the map
+    for (int y = 0; y < count; y += kRows) {
+      const int n = std::min(kRows, count - y);
+      const std::uint16_t* from = rows + std::size_t(y) * width_;
+      band_.assign(from, from + std::size_t(n) * width_);
+      stream_.guard([&] {
+        out_->setFrameBuffer(frame_buffer(band_, width_, out_->currentScanLine()));
+        out_->writePixels(n);
+      });
+    }
+  }
+
+  void close() override {
+    stream_.guard([&] { out_.reset(); });
+    stream_.close();
+  }
+
+ private:
+  CheckedStream stream_;
+  std::optional<Imf::OutputFile> out_;
+  int width_;
+  std::vector<std::uint32_t> band_;
+};
+
+// Tiles lie in the file level by level, the base first, as other writers have them: what comes of coarser levels before
+// the base is complete waits on disk.
+class TiledTarget final : public IndexTarget {
+ public:
+  TiledTarget(const FileRef& file, const IndexShape& shape)
+      : stream_(file),
+        width_(shape.width),
+        height_(shape.height),
+        waiting_(std::filesystem::path(file.path).parent_path().string()) {
+    Imf::Header header = header_of(shape);
+    header.setTileDescription(Imf::TileDescription(kTile, kTile, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN));
+    stream_.guard([&] { out_.emplace(stream_, header); });
+    if (out_->numLevels() != shape.levels)
+      throw file_error(ErrorKind::kUnsupported, file.name,
+                       "EXR holds one level or all " + std::to_string(out_->numLevels()) + ", not " +
+                           std::to_string(shape.levels) + " (--split writes any number)");
+    for (int l = 0; l < shape.levels; l++) next_.push_back(bytes_before(l));
+  }
+
+  void write_rows(int level, int count, const std::uint16_t* rows) override {
+    if (level == 0) return write_level_rows(0, count, rows);
+    const std::size_t bytes = row_bytes(level) * count;
+    waiting_.write(next_[level], rows, bytes);
+    next_[level] += bytes;
+  }
+
+  void close() override {
+    for (int level = 1; level < out_->numLevels(); level++) {
+      constexpr int kRows = 8 * kTile;
+      const int h = level_size(height_, level);
+      std::vector<std::uint16_t> rows(std::size_t(level_size(width_, level)) * std::min(h, kRows));
+      for (int y = 0; y < h; y += kRows) {
+        const int n = std::min(kRows, h - y);
+        waiting_.read(bytes_before(level) + row_bytes(level) * y, rows.data(), row_bytes(level) * n);
+        write_level_rows(level, n, rows.data());
+      }
+    }
+    stream_.guard([&] { out_.reset(); });
+    stream_.close();
+  }
+
+ private:
+  std::size_t row_bytes(int level) const { return sizeof(std::uint16_t) * level_size(width_, level); }
+  // Of the levels from 1 on, where they wait.
+  std::size_t bytes_before(int level) const {
+    std::size_t bytes = 0;
+    for (int l = 1; l < level; l++) bytes += row_bytes(l) * level_size(height_, l);
+    return bytes;
+  }
+
+  // The next rows of the level that is written: whole rows of tiles as soon as they are complete.
+  void write_level_rows(int level, int count, const std::uint16_t* rows) {
+    const int w = level_size(width_, level), h = level_size(height_, level);
+    constexpr int kRows = 8 * kTile;  // so that threads have work
+    while (count > 0) {
+      const int held = int(band_.size() / w), n = std::min(count, kRows - held);
+      band_.insert(band_.end(), rows, rows + std::size_t(n) * w);
+      rows += std::size_t(n) * w, count -= n;
+      const int end = first_ + held + n;
+      if (end < h && end % kRows != 0) return;
+      stream_.guard([&] {
+        out_->setFrameBuffer(frame_buffer(band_, w, first_));
+        out_->writeTiles(0, out_->numXTiles(level) - 1, first_ / kTile, (end - 1) / kTile, level);
+      });
+      band_.clear();
+      first_ = end < h ? end : 0;
+    }
+  }
+
+  CheckedStream stream_;
+  std::optional<Imf::TiledOutputFile> out_;
+  int width_, height_;
+  SpillFile waiting_;              // the levels from 1 on
+  std::vector<std::size_t> next_;  // where in it the next row of each goes
+  int first_ = 0;                  // row of band_ in the level that is written
+  std::vector<std::uint32_t> band_;
+};
+
 }  // namespace
 
 bool is_indexed_exr(const FileRef& file) {
@@ -146,88 +346,18 @@ bool is_indexed_exr(const FileRef& file) {
   }
 }
 
-IndexedMap read_indexed_exr(const FileRef& file) {
-  Imf::setGlobalThreadCount(thread_limit() > 1 ? thread_limit() : 0);
-  try {
-    IndexedMap map;
-    const bool tiled = Imf::isTiledOpenExrFile(file.path.c_str());
-    if (!tiled) {
-      Imf::InputFile in(file.path.c_str());
-      require_sane_size(in.header(), file);
-      map.palette = extract_palette(in.header(), file);
-      const Imath::Box2i window = in.header().dataWindow();
-      map.levels.emplace_back(window.max.x + 1, window.max.y + 1);
-      IndexImage& level = map.levels.back();
-      constexpr int kRows = 256;
-      std::vector<std::uint32_t> band;
-      for (int y = 0; y < level.height; y += kRows) {
-        const int rows = std::min(kRows, level.height - y);
-        IndexImage part(level.width, rows);
-        band.resize(part.texels());
-        in.setFrameBuffer(frame_buffer(band.data(), level.width, y));
-        in.readPixels(y, y + rows - 1);
-        narrow(band, part, file);
-        std::ranges::copy(part.data, level.row(y));
-      }
-    } else {
-      Imf::TiledInputFile in(file.path.c_str());
-      require_sane_size(in.header(), file);
-      map.palette = extract_palette(in.header(), file);
-      if (in.levelMode() == Imf::RIPMAP_LEVELS || in.levelRoundingMode() != Imf::ROUND_DOWN)
-        throw file_error(ErrorKind::kUnsupported, file.name, "expected mip levels rounded down");
-      for (int l = 0; l < in.numLevels(); l++) {
-        map.levels.emplace_back(in.levelWidth(l), in.levelHeight(l));
-        IndexImage& level = map.levels.back();
-        std::vector<std::uint32_t> texels(level.texels());
-        in.setFrameBuffer(frame_buffer(texels.data(), level.width, 0));
-        in.readTiles(0, in.numXTiles(l) - 1, 0, in.numYTiles(l) - 1, l);
-        narrow(texels, level, file);
-      }
-    }
-    return map;
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw codec_error(file, error);
-  }
+std::unique_ptr<IndexSource> open_indexed_exr(const FileRef& file) {
+  use_threads();
+  return reading(file, [&]() -> std::unique_ptr<IndexSource> {
+    if (Imf::isTiledOpenExrFile(file.path.c_str())) return std::make_unique<TiledSource>(file);
+    return std::make_unique<ScanlineSource>(file);
+  });
 }
 
-void write_indexed_exr(const FileRef& file, const IndexedMap& map) {
-  Imf::Header header(map.width(), map.height());
-  header.channels().insert(kChannel, Imf::Channel(Imf::UINT));
-  insert_palette(header, map.palette);
-  write_checked(file, [&](CheckedStream& stream) {
-    if (map.levels.size() == 1) {
-      Imf::OutputFile out(stream, header);
-      constexpr int kRows = 256;  // many blocks of 16 lines, so that threads have work, and no second copy of the map
-      std::vector<std::uint32_t> band;
-      for (int y = 0; y < map.height(); y += kRows) {
-        const int rows = std::min(kRows, map.height() - y);
-        band.assign(map.levels[0].row(y), map.levels[0].row(y) + std::size_t(rows) * map.width());
-        out.setFrameBuffer(frame_buffer(band.data(), map.width(), y));
-        out.writePixels(rows);
-      }
-      return;
-    }
-    header.setTileDescription(Imf::TileDescription(kTile, kTile, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN));
-    Imf::TiledOutputFile out(stream, header);
-    if (out.numLevels() != int(map.levels.size()))
-      throw file_error(ErrorKind::kUnsupported, file.name,
-                       "EXR holds one level or all " + std::to_string(out.numLevels()) + ", not " +
-                           std::to_string(map.levels.size()) + " (--split writes any number)");
-    for (int l = 0; l < out.numLevels(); l++) {
-      const IndexImage& level = map.levels[l];
-      constexpr int kTileRows = 8;
-      for (int ty = 0; ty < out.numYTiles(l); ty += kTileRows) {
-        const int last = std::min(ty + kTileRows, out.numYTiles(l)) - 1;
-        const int first_row = ty * kTile, end_row = std::min(level.height, (last + 1) * kTile);
-        std::vector<std::uint32_t> band(level.row(first_row),
-                                        level.row(first_row) + std::size_t(end_row - first_row) * level.width);
-        out.setFrameBuffer(frame_buffer(band.data(), level.width, first_row));
-        out.writeTiles(0, out.numXTiles(l) - 1, ty, last, l);
-      }
-    }
-  });
+std::unique_ptr<IndexTarget> create_indexed_exr(const FileRef& file, const IndexShape& shape) {
+  use_threads();
+  if (shape.levels == 1) return std::make_unique<ScanlineTarget>(file, shape);
+  return std::make_unique<TiledTarget>(file, shape);
 }
 
 std::optional<Palette> read_palette_exr(const FileRef& file) {
@@ -252,11 +382,14 @@ void write_palette_exr(const FileRef& file, const Palette& palette) {
   for (int c = 0; c < 3; c++)
     buffer.insert(std::string(1, "RGB"[c]),
                   Imf::Slice(Imf::FLOAT, base + c * sizeof(float), sizeof(Vec3f), sizeof(Vec3f) * n));
-  write_checked(file, [&](CheckedStream& stream) {
+  use_threads();
+  CheckedStream stream(file);
+  stream.guard([&] {
     Imf::OutputFile out(stream, header);
     out.setFrameBuffer(buffer);
     out.writePixels(1);
   });
+  stream.close();
 }
 
 }  // namespace burnish::detail

@@ -141,7 +141,7 @@ bool is_indexed_ktx2(const FileRef& file) {
   }
 }
 
-IndexedMap read_indexed_ktx2(const FileRef& file) {
+std::unique_ptr<IndexSource> open_indexed_ktx2(const FileRef& file) {
   ContainerReader in(file);
   const Header h = read_header(in);
   require_indices(h, file);
@@ -150,30 +150,33 @@ IndexedMap read_indexed_ktx2(const FileRef& file) {
   if (const auto orientation = text_of(values, "KTXorientation").value_or("rd"); orientation != "rd")
     throw file_error(ErrorKind::kUnsupported, file.name,
                      "expected KTXorientation rd, got '" + excerpt(orientation) + "'");
-  IndexedMap map;
-  map.palette = palette_of(values, file);
+  Palette palette = palette_of(values, file);
+  std::vector<std::uint64_t> offsets;
   const std::uint32_t levels = std::max(h.levels, 1u);  // 0: the reader is to make the others
   const std::string index = in.read(kHeaderBytes, levels * kLevelBytes, "the index of its levels");
   const int bytes = h.format == kR8Uint ? 1 : 2;
-  int width = int(h.width), height = int(h.height);
+  const int width = int(h.width), height = int(h.height);
   for (std::uint32_t l = 0; l < levels; l++) {
-    const std::uint64_t expected = std::uint64_t(width) * height * bytes, got = u64_at(index, l * kLevelBytes + 8);
+    const int w = level_size(width, int(l)), rows = level_size(height, int(l));
+    const std::uint64_t expected = std::uint64_t(w) * rows * bytes, got = u64_at(index, l * kLevelBytes + 8);
     if (got != expected)
       throw file_error(ErrorKind::kMalformed, file.name,
-                       "expected " + std::to_string(expected) + " bytes of " + std::to_string(width) + "x" +
-                           std::to_string(height) + " texels in level " + std::to_string(l) + ", got " +
+                       "expected " + std::to_string(expected) + " bytes of " + std::to_string(w) + "x" +
+                           std::to_string(rows) + " texels in level " + std::to_string(l) + ", got " +
                            std::to_string(got));
-    map.levels.push_back(in.read_texels(u64_at(index, l * kLevelBytes), width, height, bytes));
-    width = next_level_size(width), height = next_level_size(height);
+    offsets.push_back(u64_at(index, l * kLevelBytes));
   }
-  return map;
+  auto source = std::make_unique<ContainerSource>(std::move(in), width, height, std::move(offsets), bytes);
+  source->palette = std::move(palette);
+  return source;
 }
 
-void write_indexed_ktx2(const FileRef& file, const IndexedMap& map) {
-  const std::size_t bytes = bytes_per_index(map.palette.normals.size()), format = bytes == 1 ? kR8Uint : kR16Uint;
-  const std::size_t width = map.width(), height = map.height(), levels = map.levels.size();
+std::unique_ptr<IndexTarget> create_indexed_ktx2(const FileRef& file, const IndexShape& shape) {
+  const std::size_t bytes = bytes_per_index(shape.palette.normals.size()), format = bytes == 1 ? kR8Uint : kR16Uint;
+  const std::size_t width = std::size_t(shape.width), height = std::size_t(shape.height),
+                    levels = std::size_t(shape.levels);
   const std::size_t depth = 0, layers = 0, faces = 1, supercompression = 0;
-  const std::string descriptor = data_format_descriptor(int(bytes)), values = key_value_data(map.palette);
+  const std::string descriptor = data_format_descriptor(int(bytes)), values = key_value_data(shape.palette);
   const std::size_t descriptor_at = kHeaderBytes + kLevelBytes * levels, values_at = descriptor_at + descriptor.size();
 
   std::string head(kIdentifier);
@@ -183,24 +186,15 @@ void write_indexed_ktx2(const FileRef& file, const IndexedMap& map) {
   append_u64(head, 0), append_u64(head, 0);  // no global data of a compression
 
   // Levels lie smallest first, so that a loader can show them as they come; their index begins at the base.
-  std::vector<std::size_t> offset(levels);
-  std::size_t end = values_at + values.size();
-  for (std::size_t l = levels; l-- > 0;) offset[l] = aligned(end), end = offset[l] + map.levels[l].texels() * bytes;
-  for (std::size_t l = 0; l < levels; l++) {
-    append_u64(head, offset[l]);
-    append_u64(head, map.levels[l].texels() * bytes);
-    append_u64(head, map.levels[l].texels() * bytes);
-  }
-
-  ContainerWriter out(file);
-  out.write(head + descriptor + values);
-  std::size_t at = values_at + values.size();
-  for (std::size_t l = levels; l-- > 0;) {
-    out.write(std::string(offset[l] - at, '\0'));
-    out.write_texels(map.levels[l], int(bytes));
-    at = offset[l] + map.levels[l].texels() * bytes;
-  }
-  out.close();
+  std::vector<std::uint64_t> offsets(levels), sizes;
+  for (int l = 0; l < shape.levels; l++)
+    sizes.push_back(std::uint64_t(level_size(shape.width, l)) * level_size(shape.height, l) * bytes);
+  std::uint64_t end = values_at + values.size();
+  for (std::size_t l = levels; l-- > 0;) offsets[l] = aligned(end), end = offsets[l] + sizes[l];
+  for (std::size_t l = 0; l < levels; l++)
+    for (const std::uint64_t word : {offsets[l], sizes[l], sizes[l]}) append_u64(head, word);
+  return std::make_unique<ContainerTarget>(file, head + descriptor + values, shape.width, std::move(offsets),
+                                           int(bytes));
 }
 
 }  // namespace burnish::detail

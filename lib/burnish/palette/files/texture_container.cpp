@@ -25,32 +25,6 @@ void append_u64(std::string& out, std::uint64_t value) { append(out, value, 8); 
 std::uint32_t u32_at(std::string_view bytes, std::size_t offset) { return std::uint32_t(number_at(bytes, offset, 4)); }
 std::uint64_t u64_at(std::string_view bytes, std::size_t offset) { return number_at(bytes, offset, 8); }
 
-void ContainerWriter::write(std::string_view bytes) {
-  file_.write(bytes.data(), bytes.size());
-  check();
-}
-
-void ContainerWriter::write_texels(const IndexImage& level, int bytes_per_index) {
-  std::string row(std::size_t(level.width) * bytes_per_index, '\0');
-  for (int y = 0; y < level.height; y++) {
-    const std::uint16_t* in = level.row(y);
-    if (bytes_per_index == 1)
-      std::transform(in, in + level.width, row.begin(), [](std::uint16_t i) { return char(i); });
-    else
-      for (int x = 0; x < level.width; x++) row[2 * x] = char(in[x]), row[2 * x + 1] = char(in[x] >> 8);
-    write(row);
-  }
-}
-
-void ContainerWriter::close() {
-  file_.close();
-  check();
-}
-
-void ContainerWriter::check() const {
-  if (file_.first_error()) throw file_.error(name_);
-}
-
 ContainerReader::ContainerReader(const FileRef& file) : in_(file.path, std::ios::binary), name_(file.name) {
   in_.seekg(0, std::ios::end);
   const std::streamoff size = in_.tellg();
@@ -58,36 +32,62 @@ ContainerReader::ContainerReader(const FileRef& file) : in_(file.path, std::ios:
   size_ = std::uint64_t(size);
 }
 
-void ContainerReader::seek(std::uint64_t offset, std::uint64_t count, const std::string& what) {
+void ContainerReader::require(std::uint64_t offset, std::uint64_t count, const std::string& what) const {
   if (offset > size_ || count > size_ - offset)
     throw file_error(ErrorKind::kMalformed, name_,
                      "is too short for " + what + ": expected " + std::to_string(count) + " bytes at " +
                          std::to_string(offset) + ", got a file of " + std::to_string(size_));
-  in_.seekg(std::streamoff(offset));
-}
-
-void ContainerReader::fill(char* to, std::size_t count) {
-  if (!in_.read(to, std::streamsize(count))) throw file_error(ErrorKind::kIo, name_, "cannot be read");
 }
 
 std::string ContainerReader::read(std::uint64_t offset, std::uint64_t count, const std::string& what) {
-  seek(offset, count, what);
+  require(offset, count, what);
   std::string bytes(std::size_t(count), '\0');
-  fill(bytes.data(), bytes.size());
+  in_.seekg(std::streamoff(offset));
+  if (!in_.read(bytes.data(), std::streamsize(count))) throw file_error(ErrorKind::kIo, name_, "cannot be read");
   return bytes;
 }
 
-IndexImage ContainerReader::read_texels(std::uint64_t offset, int width, int height, int bytes_per_index) {
-  const std::uint64_t row_bytes = std::uint64_t(width) * bytes_per_index;
-  seek(offset, row_bytes * height, std::to_string(width) + "x" + std::to_string(height) + " texels");
-  IndexImage level(width, height);
-  std::string row(std::size_t(row_bytes), '\0');
-  for (int y = 0; y < height; y++) {
-    fill(row.data(), row.size());
-    for (int x = 0; x < width; x++)
-      level.row(y)[x] = std::uint16_t(number_at(row, std::size_t(x) * bytes_per_index, bytes_per_index));
+ContainerSource::ContainerSource(ContainerReader in, int base_width, int base_height,
+                                 std::vector<std::uint64_t> offsets, int bytes_per_index)
+    : in_(std::move(in)), offsets_(std::move(offsets)), bytes_(bytes_per_index) {
+  width = base_width, height = base_height, levels = int(offsets_.size());
+  for (int l = 0; l < levels; l++) {
+    const int w = level_size(width, l), h = level_size(height, l);
+    in_.require(offsets_[l], std::uint64_t(w) * h * bytes_, std::to_string(w) + "x" + std::to_string(h) + " texels");
   }
-  return level;
+}
+
+void ContainerSource::read_rows(int level, int first, int count, std::uint16_t* out) {
+  const std::uint64_t row = std::uint64_t(level_size(width, level)) * bytes_;
+  const std::string bytes = in_.read(offsets_[level] + row * first, row * count, "its texels");
+  for (std::size_t i = 0; i < bytes.size() / bytes_; i++) out[i] = std::uint16_t(number_at(bytes, i * bytes_, bytes_));
+}
+
+ContainerTarget::ContainerTarget(const FileRef& file, const std::string& head, int width,
+                                 std::vector<std::uint64_t> offsets, int bytes_per_index)
+    : file_(file.path), name_(file.name), width_(width), next_(std::move(offsets)), bytes_(bytes_per_index) {
+  file_.write(head.data(), head.size());
+  check();
+}
+
+void ContainerTarget::write_rows(int level, int count, const std::uint16_t* rows) {
+  const std::size_t texels = std::size_t(level_size(width_, level)) * count;
+  std::string bytes(texels * bytes_, '\0');
+  for (std::size_t i = 0; i < texels; i++)
+    for (int b = 0; b < bytes_; b++) bytes[i * bytes_ + b] = char(rows[i] >> 8 * b);
+  file_.seek(std::int64_t(next_[level]));
+  file_.write(bytes.data(), bytes.size());
+  check();
+  next_[level] += bytes.size();
+}
+
+void ContainerTarget::close() {
+  file_.close();
+  check();
+}
+
+void ContainerTarget::check() const {
+  if (file_.first_error()) throw file_.error(name_);
 }
 
 Error unsupported(const FileRef& file, const std::string& expected, const std::string& got) {

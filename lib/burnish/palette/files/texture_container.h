@@ -6,11 +6,11 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "burnish/core/checked_file.h"
 #include "burnish/core/error.h"
-#include "burnish/core/image.h"
-#include "burnish/core/image_io.h"
+#include "burnish/palette/files/indexed_files.h"
 
 namespace burnish::detail {
 
@@ -22,33 +22,47 @@ void append_u64(std::string& out, std::uint64_t value);
 std::uint32_t u32_at(std::string_view bytes, std::size_t offset);
 std::uint64_t u64_at(std::string_view bytes, std::size_t offset);
 
-class ContainerWriter {
- public:
-  explicit ContainerWriter(const FileRef& file) : file_(file.path), name_(file.name) { check(); }
-  void write(std::string_view bytes);
-  void write_texels(const IndexImage& level, int bytes_per_index);
-  // Must be called: reports what only closing can reveal.
-  void close();
-
- private:
-  void check() const;
-  CheckedFile file_;
-  std::string name_;
-};
-
 class ContainerReader {
  public:
   explicit ContainerReader(const FileRef& file);
   // kMalformed, before anything is allocated, where the file ends first; `what` names what is read.
   std::string read(std::uint64_t offset, std::uint64_t count, const std::string& what);
-  IndexImage read_texels(std::uint64_t offset, int width, int height, int bytes_per_index);
+  void require(std::uint64_t offset, std::uint64_t count, const std::string& what) const;
 
  private:
-  void seek(std::uint64_t offset, std::uint64_t count, const std::string& what);
-  void fill(char* to, std::size_t count);
   std::ifstream in_;
   std::uint64_t size_ = 0;
   std::string name_;
+};
+
+// Levels of indices at offsets.
+class ContainerSource final : public IndexSource {
+ public:
+  // kMalformed where the file ends before a level does.
+  ContainerSource(ContainerReader in, int width, int height, std::vector<std::uint64_t> offsets, int bytes_per_index);
+  void read_rows(int level, int first, int count, std::uint16_t* out) override;
+
+ private:
+  ContainerReader in_;
+  std::vector<std::uint64_t> offsets_;
+  int bytes_;
+};
+
+class ContainerTarget final : public IndexTarget {
+ public:
+  // `head` goes in front, the levels of a map of that width to their offsets, zeros between.
+  ContainerTarget(const FileRef& file, const std::string& head, int width, std::vector<std::uint64_t> offsets,
+                  int bytes_per_index);
+  void write_rows(int level, int count, const std::uint16_t* rows) override;
+  void close() override;
+
+ private:
+  void check() const;
+  CheckedFile file_;
+  std::string name_;
+  int width_;
+  std::vector<std::uint64_t> next_;  // where each level's next row goes
+  int bytes_;
 };
 
 // kUnsupported: 'file': expected …, got …
