@@ -1,5 +1,6 @@
 // The chain of an indexed normal map.
 #include "burnish/core/mip.h"
+#include "burnish/palette/indexed_rows.h"
 #include "mipmap/mipmap.h"
 
 namespace burnish::cli {
@@ -13,19 +14,30 @@ Json mip_indices(Tool& tool, const MipmapOptions& o, const FileRef& file) {
   const FileRef palette = o.palette.empty() ? FileRef() : tool.read(o.palette);
   const IndexMipOptions options{o.levels, o.average, o.source.empty() ? FileRef() : tool.read(o.source), o.coding};
   const FileRef chain = output.path.empty() ? FileRef() : tool.write(output.path);
-  IndexedMap map = read_indexed_map(file, o.coding.green, palette);
-  if (!chain.empty()) output.require_format(type, map.palette.normals.size(), output.path);
-  if (!o.split.empty()) output.require_format(split_type, map.palette.normals.size(), level_name(o.split, 0));
+  IndexedMapReader map(file, o.coding.green, palette);
+  const std::size_t normals = map.palette().normals.size();
+  if (!chain.empty()) output.require_format(type, normals, output.path);
+  if (!o.split.empty()) output.require_format(split_type, normals, level_name(o.split, 0));
   const int count = levels_to_make(map.width(), map.height(), o.levels);
   if (!chain.empty()) require_can_hold_levels(chain, type, count);
   std::vector<FileRef> parts;
   for (int l = 0; l < count && !o.split.empty(); l++) parts.push_back(tool.write(level_name(o.split, l)));
   const FileRef palette_file = with_palette ? tool.write(output.palette_path) : FileRef();
-  const std::vector<MipLevelStats> stats = build_index_mips(map, options, tool.progress());
-  if (!chain.empty()) write_indexed_map(chain, type, map);
-  if (!palette_file.empty()) write_palette(palette_file, palette_type, map.palette);
+
+  std::optional<IndexedMapWriter> whole;
+  if (!chain.empty()) whole.emplace(chain, type, map.palette(), map.width(), map.height(), count);
+  std::vector<IndexedMapWriter> split;
   for (std::size_t l = 0; l < parts.size(); l++)
-    write_indexed_map(parts[l], split_type, {map.palette, {map.levels[l]}});
+    split.emplace_back(parts[l], split_type, map.palette(), level_size(map.width(), int(l)),
+                       level_size(map.height(), int(l)));
+  const auto write = [&](int level, int rows, const std::uint16_t* indices) {
+    if (whole) whole->write_rows(level, rows, indices);
+    if (!split.empty()) split[level].write_rows(0, rows, indices);
+  };
+  const auto read = [&](int first, int rows, std::uint16_t* out) { map.read_rows(0, first, rows, out); };
+  const std::vector<MipLevelStats> stats =
+      make_index_mips({map.palette(), map.width(), map.height(), read}, options, write, tool.progress());
+  if (!palette_file.empty()) write_palette(palette_file, palette_type, map.palette());
   Json levels = Json::array();
   for (const MipLevelStats& s : stats)
     levels.push_back({{"width", s.width}, {"height", s.height}, {"rms_deg", s.rms_deg}});

@@ -2,116 +2,65 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <iterator>
 #include <optional>
 
 #include "burnish/core/error.h"
 #include "burnish/core/mip.h"
 #include "burnish/core/parallel.h"
-#include "burnish/palette/angle_stats.h"
+#include "burnish/palette/indexed_rows.h"
 #include "burnish/palette/nearest_entry.h"
 
 namespace burnish {
 namespace {
 
-// Weighted means of base vectors under the texels of a level, not renormalised.
-struct MeanLevel {
-  int width = 0, height = 0;
-  std::vector<Vec3f> mean;
-};
-
-// The next level of means; vector_at(x, y) gives those of the finer one, of width × height. Rows [first, end) only.
-template <typename VectorAt>
-void average_rows(int width, int height, const VectorAt& vector_at, int first, int end, MeanLevel& out) {
-  parallel_for(end - first, [&](std::size_t r) {
-    const int y = first + int(r);
-    const MipTaps v = mip_taps(height, y);
-    for (int x = 0; x < out.width; x++) {
-      const MipTaps u = mip_taps(width, x);
-      Vec3f sum{};
-      for (int j = 0; j < v.count; j++)
-        for (int i = 0; i < u.count; i++) sum += vector_at(u.first + i, v.first + j) * float(u.weight[i] * v.weight[j]);
-      out.mean[std::size_t(y) * out.width + x] = sum / float(u.total * v.total);
-    }
-  });
-}
-
-MeanLevel next_level_of(int width, int height) {
-  MeanLevel level{next_level_size(width), next_level_size(height), {}};
-  level.mean.resize(std::size_t(level.width) * level.height);
-  return level;
-}
-
-// Means of the base normals, all of them or those of each material, one level at a time.
-class MeanPyramid {
+// The rows of a level that the next still needs.
+template <typename T>
+class RowWindow {
  public:
-  // With `by_material`, texels of other materials count as zero vectors in the means of one.
-  MeanPyramid(const IndexedMap& map, const IndexMipOptions& options, bool by_material) : by_material_(by_material) {
-    const std::size_t parts = by_material ? map.palette.materials.size() : 1;
-    const int w = map.width(), h = map.height();
-    levels_.assign(parts, next_level_of(w, h));
-    std::optional<NormalReader> source;
-    if (!options.source.empty()) {
-      source.emplace(options.source, options.coding);
-      source->image().require_size(w, h, "the indexed map");
-    }
-    constexpr int kRows = 128;
-    std::vector<Vec3f> band;
-    AngleStats base;
-    const int coarse_rows = levels_[0].height;
-    for (int y0 = 0; y0 < coarse_rows; y0 += kRows) {
-      const int y1 = std::min(coarse_rows, y0 + kRows);
-      const MipTaps last = mip_taps(h, y1 - 1);
-      const int first = mip_taps(h, y0).first, rows = last.first + last.count - first;
-      if (source) {
-        band.resize(std::size_t(w) * rows);
-        source->read_rows(first, rows, band.data());
-        const int counted = y1 == coarse_rows ? rows : mip_taps(h, y1).first - first;  // each row once
-        base += parallel_sum<AngleStats>(std::size_t(counted) * w, 1 << 14, [&](std::size_t begin, std::size_t end) {
-          AngleStats s;
-          for (std::size_t i = begin; i < end; i++)
-            s.add(
-                angle_rad(Vec3d(band[i]), Vec3d(map.palette.normals[map.levels[0].data[std::size_t(first) * w + i]])));
-          return s;
-        });
-      }
-      for (std::size_t part = 0; part < parts; part++)
-        average_rows(
-            w, h,
-            [&](int x, int y) {
-              const int index = *map.levels[0].at(x, y);
-              if (by_material && map.palette.interval_of(index) != int(part)) return Vec3f{};
-              return source ? band[std::size_t(y - first) * w + x] : map.palette.normals[index];
-            },
-            y0, y1, levels_[part]);
-    }
-    base_rms_deg_ = base.rms_deg();
+  explicit RowWindow(int width) : width_(std::size_t(width)) {}
+  int end() const { return first_ + int(data_.size() / width_); }
+  T* row(int y) { return data_.data() + width_ * std::size_t(y - first_); }
+  const T* row(int y) const { return data_.data() + width_ * std::size_t(y - first_); }
+  // Room for the next rows.
+  T* append(int count) {
+    data_.resize(data_.size() + width_ * count);
+    return data_.data() + data_.size() - width_ * count;
   }
-
-  double base_rms_deg() const { return base_rms_deg_; }  // 0 without a source
-
-  void advance() {
-    for (MeanLevel& level : levels_) {
-      MeanLevel next = next_level_of(level.width, level.height);
-      average_rows(
-          level.width, level.height, [&](int x, int y) { return level.mean[std::size_t(y) * level.width + x]; }, 0,
-          next.height, next);
-      level = std::move(next);
-    }
-  }
-
-  // Of one material, where kept by material.
-  Vec3f mean(std::size_t texel, int material) const { return levels_[by_material_ ? material : 0].mean[texel]; }
-  // Of all.
-  Vec3f mean(std::size_t texel) const {
-    Vec3f sum{};
-    for (const MeanLevel& level : levels_) sum += level.mean[texel];
-    return sum;
+  void drop_before(int y) {
+    data_.erase(data_.begin(), data_.begin() + std::ptrdiff_t(width_ * std::size_t(y - first_)));
+    first_ = y;
   }
 
  private:
-  bool by_material_;
-  std::vector<MeanLevel> levels_;
-  double base_rms_deg_ = 0;
+  std::size_t width_;
+  int first_ = 0;
+  std::vector<T> data_;
+};
+
+// Angles of texels; their root mean square.
+struct SquaredAngles {
+  void add(double rad) { sum += rad * rad, count++; }
+  SquaredAngles& operator+=(const SquaredAngles& o) {
+    sum += o.sum, count += o.count;
+    return *this;
+  }
+  double rms_deg() const { return count ? degrees(std::sqrt(sum / double(count))) : 0; }
+
+  double sum = 0;
+  std::uint64_t count = 0;
+};
+
+struct Level {
+  Level(int w, int h, std::size_t parts) : width(w), height(h), index(w), mean(parts, RowWindow<Vec3f>(w)) {}
+
+  int width, height;
+  RowWindow<std::uint16_t> index;
+  // Weighted means of the base vectors under each texel, not renormalised: of all, or of those of each material, where
+  // texels of other materials count as zero vectors. The base has them where they are not the palette's.
+  std::vector<RowWindow<Vec3f>> mean;
+  SquaredAngles angles;
 };
 
 // The normals below a texel, summed up by material.
@@ -122,69 +71,204 @@ struct Cover {
   int first = 0;  // index of the first texel of it
 };
 
-Cover majority(const IndexedMap& map, const IndexImage& finer, int x, int y) {
-  const MipTaps u = mip_taps(finer.width, x), v = mip_taps(finer.height, y);
-  Cover covers[9];
-  int used = 0;
-  for (int j = 0; j < v.count; j++)
-    for (int i = 0; i < u.count; i++) {
-      const int index = *finer.at(u.first + i, v.first + j), weight = u.weight[i] * v.weight[j];
-      const int material = map.palette.materials.size() == 1 ? 0 : map.palette.interval_of(index);
-      int c = 0;
-      while (c < used && covers[c].material != material) c++;
-      if (c == used) covers[used++] = {material, 0, {}, index};
-      covers[c].weight += weight;
-      covers[c].sum += Vec3d(map.palette.normals[index]) * double(weight);
+// Makes the levels side by side, each row as soon as the rows below it are there.
+class Cascade {
+ public:
+  Cascade(const IndexRows& map, const IndexMipOptions& options, int levels, const IndexLevelSink& sink)
+      : palette_(map.palette),
+        from_base_(options.average == MipAverage::kBase || !options.source.empty()),
+        has_source_(!options.source.empty()),
+        by_material_(from_base_ && palette_.materials.size() > 1),
+        sink_(sink) {
+    for (const MaterialInterval& m : palette_.materials)
+      nearest_.emplace_back(std::span(palette_.normals).subspan(m.first, m.count));
+    for (int l = 0; l < levels; l++)
+      levels_.emplace_back(level_size(map.width, l), level_size(map.height, l),
+                           l > 0 ? parts() : std::size_t(has_source_));
+  }
+
+  std::size_t parts() const { return by_material_ ? palette_.materials.size() : 1; }
+
+  // Rooms for the next rows of the base and, where there is a source, of its normals.
+  std::uint16_t* next_rows(int count) { return levels_[0].index.append(count); }
+  Vec3f* next_normals(int count) { return levels_[0].mean[0].append(count); }
+
+  // After they are filled.
+  void advance(int count) {
+    const int first = levels_[0].index.end() - count;
+    if (has_source_) compare_with_source(first, count);
+    sink_(0, count, levels_[0].index.row(first));
+    for (std::size_t l = 1; l < levels_.size(); l++) make_rows(int(l));
+    if (levels_.size() == 1) drop_before(levels_[0], first + count);
+  }
+
+  std::vector<MipLevelStats> stats() const {
+    std::vector<MipLevelStats> stats;
+    for (const Level& l : levels_) stats.push_back({l.width, l.height, l.angles.rms_deg()});
+    return stats;
+  }
+
+ private:
+  static void drop_before(Level& level, int row) {
+    level.index.drop_before(row);
+    for (RowWindow<Vec3f>& mean : level.mean) mean.drop_before(row);
+  }
+
+  static std::size_t rows_of_sum(int width) { return std::max<std::size_t>(1, (std::size_t(1) << 14) / width); }
+
+  void compare_with_source(int first, int count) {
+    Level& base = levels_[0];
+    base.angles += parallel_sum<SquaredAngles>(count, rows_of_sum(base.width), [&](std::size_t begin, std::size_t end) {
+      SquaredAngles s;
+      for (int y = first + int(begin); y < first + int(end); y++)
+        for (int x = 0; x < base.width; x++)
+          s.add(angle_rad(Vec3d(base.mean[0].row(y)[x]), Vec3d(palette_.normals[base.index.row(y)[x]])));
+      return s;
+    });
+  }
+
+  // All rows of a level that the finer one suffices for.
+  void make_rows(int l) {
+    Level &finer = levels_[l - 1], &level = levels_[l];
+    const auto needs = [&](int y) { return mip_taps(finer.height, y); };
+    const int first = level.index.end();
+    int end = first;
+    while (end < level.height && needs(end).first + needs(end).count <= finer.index.end()) end++;
+    if (end == first) return;
+    level.index.append(end - first);
+    for (RowWindow<Vec3f>& mean : level.mean) mean.append(end - first);
+    level.angles +=
+        parallel_sum<SquaredAngles>(end - first, rows_of_sum(level.width), [&](std::size_t begin, std::size_t stop) {
+          SquaredAngles s;
+          for (int y = first + int(begin); y < first + int(stop); y++) {
+            average_row(l, y);
+            index_row(l, y, s);
+          }
+          return s;
+        });
+    sink_(l, end - first, level.index.row(first));
+    drop_before(finer, end < level.height ? needs(end).first : finer.height);
+    if (l + 1 == int(levels_.size())) drop_before(level, end);
+  }
+
+  void average_row(int l, int y) {
+    const Level& finer = levels_[l - 1];
+    for (std::size_t part = 0; part < parts(); part++) {
+      Vec3f* out = levels_[l].mean[part].row(y);
+      if (l > 1) {
+        average_row(finer, y, out, [&](int fx, int fy) { return finer.mean[part].row(fy)[fx]; });
+        continue;
+      }
+      average_row(finer, y, out, [&](int fx, int fy) {
+        const int index = finer.index.row(fy)[fx];
+        if (by_material_ && palette_.interval_of(index) != int(part)) return Vec3f{};
+        return has_source_ ? finer.mean[0].row(fy)[fx] : palette_.normals[index];
+      });
     }
-  const auto better = [&](const Cover& a, const Cover& b) {
-    if (a.weight != b.weight) return a.weight > b.weight;
-    const double la = dot(a.sum, a.sum), lb = dot(b.sum, b.sum);
-    if (la != lb) return la > lb;
-    return map.palette.materials[a.material].id < map.palette.materials[b.material].id;
-  };
-  return *std::min_element(covers, covers + used, better);
-}
+  }
+
+  template <typename VectorAt>
+  static void average_row(const Level& finer, int y, Vec3f* out, const VectorAt& vector_at) {
+    const MipTaps v = mip_taps(finer.height, y);
+    for (int x = 0; x < next_level_size(finer.width); x++) {
+      const MipTaps u = mip_taps(finer.width, x);
+      Vec3f sum{};
+      for (int j = 0; j < v.count; j++)
+        for (int i = 0; i < u.count; i++) sum += vector_at(u.first + i, v.first + j) * float(u.weight[i] * v.weight[j]);
+      out[x] = sum / float(u.total * v.total);
+    }
+  }
+
+  void index_row(int l, int y, SquaredAngles& angles) {
+    Level& level = levels_[l];
+    std::uint16_t* out = level.index.row(y);
+    for (int x = 0; x < level.width; x++) {
+      const Cover cover = majority(levels_[l - 1], x, y);
+      Vec3d wanted = cover.sum;
+      // A material that has the majority of the level below may have no texel left in the base under this one.
+      if (from_base_)
+        if (const Vec3d mean(level.mean[by_material_ ? cover.material : 0].row(y)[x]); length(mean) > 1e-6)
+          wanted = mean;
+      // Normals that cancel out point nowhere: the first of them stands for all.
+      const int index = length(wanted) > 1e-6
+                            ? palette_.materials[cover.material].first + nearest_[cover.material](Vec3f(wanted))
+                            : cover.first;
+      out[x] = std::uint16_t(index);
+      Vec3f sum{};
+      for (const RowWindow<Vec3f>& mean : level.mean) sum += mean.row(y)[x];
+      if (const Vec3d mean(sum); length(mean) > 1e-6) angles.add(angle_rad(mean, Vec3d(palette_.normals[index])));
+    }
+  }
+
+  Cover majority(const Level& finer, int x, int y) const {
+    const MipTaps u = mip_taps(finer.width, x), v = mip_taps(finer.height, y);
+    Cover covers[9];
+    int used = 0;
+    for (int j = 0; j < v.count; j++)
+      for (int i = 0; i < u.count; i++) {
+        const int index = finer.index.row(v.first + j)[u.first + i], weight = u.weight[i] * v.weight[j];
+        const int material = palette_.materials.size() == 1 ? 0 : palette_.interval_of(index);
+        int c = 0;
+        while (c < used && covers[c].material != material) c++;
+        if (c == used) covers[used++] = {material, 0, {}, index};
+        covers[c].weight += weight;
+        covers[c].sum += Vec3d(palette_.normals[index]) * double(weight);
+      }
+    const auto better = [&](const Cover& a, const Cover& b) {
+      if (a.weight != b.weight) return a.weight > b.weight;
+      const double la = dot(a.sum, a.sum), lb = dot(b.sum, b.sum);
+      if (la != lb) return la > lb;
+      return palette_.materials[a.material].id < palette_.materials[b.material].id;
+    };
+    return *std::min_element(covers, covers + used, better);
+  }
+
+  const Palette& palette_;
+  bool from_base_, has_source_, by_material_;
+  const IndexLevelSink& sink_;
+  std::vector<NearestEntry> nearest_;  // of each material
+  std::vector<Level> levels_;
+};
 
 }  // namespace
 
-std::vector<MipLevelStats> build_index_mips(IndexedMap& map, const IndexMipOptions& options, const Progress& progress) {
-  const int levels = levels_to_make(map.width(), map.height(), options.levels);
-  const bool from_base = options.average == MipAverage::kBase || !options.source.empty();
-  map.levels.resize(1);
-  std::vector<NearestEntry> nearest;
-  for (const MaterialInterval& m : map.palette.materials)
-    nearest.emplace_back(std::span(map.palette.normals).subspan(m.first, m.count));
-  MeanPyramid truth(map, options, from_base && map.palette.materials.size() > 1);
-
-  std::vector<MipLevelStats> stats{{map.width(), map.height(), truth.base_rms_deg()}};
-  for (int l = 1; l < levels; l++) {
-    if (l > 1) truth.advance();
-    const IndexImage& finer = map.levels[l - 1];
-    IndexImage level(next_level_size(finer.width), next_level_size(finer.height));
-    const AngleStats angles = parallel_sum<AngleStats>(level.height, 32, [&](std::size_t begin, std::size_t end) {
-      AngleStats s;
-      for (int y = int(begin); y < int(end); y++)
-        for (int x = 0; x < level.width; x++) {
-          const std::size_t texel = std::size_t(y) * level.width + x;
-          const Cover cover = majority(map, finer, x, y);
-          Vec3d wanted = cover.sum;
-          // A material that has the majority of the level below may have no texel left in the base under this one.
-          if (from_base)
-            if (const Vec3d mean(truth.mean(texel, cover.material)); length(mean) > 1e-6) wanted = mean;
-          // Normals that cancel out point nowhere: the first of them stands for all.
-          const int index = length(wanted) > 1e-6
-                                ? map.palette.materials[cover.material].first + nearest[cover.material](Vec3f(wanted))
-                                : cover.first;
-          level.data[texel] = std::uint16_t(index);
-          if (const Vec3d mean(truth.mean(texel)); length(mean) > 1e-6)
-            s.add(angle_rad(mean, Vec3d(map.palette.normals[index])));
-        }
-      return s;
-    });
-    map.levels.push_back(std::move(level));
-    stats.push_back({map.levels[l].width, map.levels[l].height, angles.rms_deg()});
-    report_progress(progress, 1 - std::pow(0.25, l));
+std::vector<MipLevelStats> make_index_mips(const IndexRows& map, const IndexMipOptions& options,
+                                           const IndexLevelSink& sink, const Progress& progress) {
+  const int levels = levels_to_make(map.width, map.height, options.levels);
+  std::optional<NormalReader> source;
+  if (!options.source.empty()) {
+    source.emplace(options.source, options.coding);
+    source->image().require_size(map.width, map.height, "the indexed map");
   }
+  Cascade cascade(map, options, levels, sink);
+  constexpr std::size_t kTexels = std::size_t(1) << 21;
+  const int band = int(std::max<std::size_t>(2, kTexels / cascade.parts() / map.width));
+  for (int y = 0; y < map.height; y += band) {
+    const int rows = std::min(band, map.height - y);
+    map.read_rows(y, rows, cascade.next_rows(rows));
+    if (source) source->read_rows(y, rows, cascade.next_normals(rows));
+    cascade.advance(rows);
+    report_progress(progress, double(y + rows) / map.height);
+  }
+  return cascade.stats();
+}
+
+std::vector<MipLevelStats> build_index_mips(IndexedMap& map, const IndexMipOptions& options, const Progress& progress) {
+  const IndexImage& base = map.levels[0];
+  std::deque<IndexImage> coarser;
+  std::vector<IndexRowSink> sinks;
+  const auto keep = [&](int level, int count, const std::uint16_t* rows) {
+    if (level == 0) return;
+    if (level > int(sinks.size())) sinks.push_back(append_to(coarser.emplace_back(), level_size(base.width, level)));
+    sinks[level - 1](count, rows);
+  };
+  const auto read_rows = [&](int first, int count, std::uint16_t* out) {
+    std::copy_n(base.row(first), std::size_t(count) * base.width, out);
+  };
+  const std::vector<MipLevelStats> stats =
+      make_index_mips({map.palette, base.width, base.height, read_rows}, options, keep, progress);
+  map.levels.resize(1);
+  std::ranges::move(coarser, std::back_inserter(map.levels));
   return stats;
 }
 

@@ -6,6 +6,7 @@
 // ties are exact.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "burnish/core/progress.h"
@@ -32,9 +33,22 @@ struct MipLevelStats {
                    // under each texel
 };
 
-// Replaces map.levels[1 …]. kUsage for more levels than there are; kMalformed for a source of another size. Runs in
-// parallel; the result does not depend on threads. Memory: four times the map at most, and as much again for each
-// further material with kBase.
+// The base, row by row.
+struct IndexRows {
+  const Palette& palette;
+  int width, height;
+  std::function<void(int first, int count, std::uint16_t* out)> read_rows;  // in ascending order, once
+};
+
+// Takes the next `count` rows of a level, in whatever order the levels come.
+using IndexLevelSink = std::function<void(int level, int count, const std::uint16_t* rows)>;
+
+// Gives the rows of all levels, the base's too, as they are made: a few of each are held. kUsage for more levels than
+// there are; kMalformed for a source of another size. Runs in parallel; the result does not depend on threads.
+std::vector<MipLevelStats> make_index_mips(const IndexRows& map, const IndexMipOptions& options,
+                                           const IndexLevelSink& sink, const Progress& progress = {});
+
+// Of a map in memory: replaces map.levels[1 …].
 std::vector<MipLevelStats> build_index_mips(IndexedMap& map, const IndexMipOptions& options,
                                             const Progress& progress = {});
 
