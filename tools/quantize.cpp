@@ -1,116 +1,14 @@
 // burnish-quantize: normal maps to indexed normal maps with one palette.
-#include "burnish/palette/quantize.h"
-
-#include <filesystem>
-#include <map>
-
-#include "burnish/core/error.h"
-#include "cli/options.h"
-#include "cli/tool.h"
+#include "quantize/quantize.h"
 
 using namespace burnish;
 using namespace burnish::cli;
 
-namespace {
+namespace burnish::cli {
 
-using Paths = std::vector<std::string>;
-
-struct Options {
-  Paths inputs, materials, masks;
-  std::string palette, rgb, output_dir, extension;
-  IndexedOutput output;
-  QuantizeOptions quantize;
-};
-
-const std::string kStem = "{stem}";  // a map's own, in the names of what goes with it
-
-Error usage(const std::string& message) { return Error(ErrorKind::kUsage, message); }
-
-// What CLI11 cannot say: which options go together.
-void check(const Options& o) {
-  if (!o.rgb.empty() && o.quantize.encoding == MaterialEncoding::kSplit)
-    throw usage("--emit-rgb needs --material-encoding alpha or subcubes");
-  if (o.output_dir.empty()) {
-    if (o.output.path.empty()) throw usage("--output is required, or --output-dir");
-    if (o.inputs.size() > 1)
-      throw usage("--output is one file, not " + std::to_string(o.inputs.size()) + ": several maps need --output-dir");
-    if (!o.extension.empty()) throw usage("--extension goes with --output-dir");
-    return;
-  }
-  if (!o.output.path.empty()) throw usage("--output does not go with --output-dir, which names the files itself");
-  if (!o.output.output_type.empty()) throw usage("--output-type does not go with --output-dir; --extension does");
-}
-
-std::string stem_of(const std::string& input) {
-  if (input == "-") throw file_error(ErrorKind::kUsage, kStandardInput, "has no name to call other files by");
-  return std::filesystem::path(input).stem().string();
-}
-
-// The file that goes with each map: one for all, or one for each in their order; {stem} is the map's own stem.
-Paths for_each_map(const Options& o, const std::string& flag, const Paths& given) {
-  if (given.empty()) return Paths(o.inputs.size());
-  if (const std::size_t maps = o.inputs.size(); given.size() != 1 && given.size() != maps)
-    throw usage(flag + ": expected one file" + (maps > 1 ? " or " + std::to_string(maps) : "") + ", got " +
-                std::to_string(given.size()));
-  Paths paths;
-  for (std::size_t i = 0; i < o.inputs.size(); i++) {
-    std::string path = given[given.size() == 1 ? 0 : i];
-    for (std::size_t at = 0; (at = path.find(kStem, at)) != std::string::npos;) {
-      const std::string stem = stem_of(o.inputs[i]);
-      path.replace(at, kStem.size(), stem);
-      at += stem.size();
-    }
-    paths.push_back(path);
-  }
-  return paths;
-}
-
-// What is written for each map.
-Paths output_paths(const Options& o) {
-  if (o.output_dir.empty()) return {o.output.path};
-  const std::string extension = o.extension.empty() ? "exr" : o.extension;
-  Paths paths;
-  std::map<std::string, std::string> input_of;
-  for (const std::string& input : o.inputs) {
-    paths.push_back((std::filesystem::path(o.output_dir) / (stem_of(input) + "." + extension)).string());
-    const auto [other, is_new] = input_of.emplace(paths.back(), input);
-    if (!is_new)
-      throw usage("'" + other->second + "' and '" + input + "' would both be written to '" + paths.back() + "'");
-  }
-  return paths;
-}
-
-std::vector<MapFiles> read_inputs(Tool& tool, Options& o) {
-  const Paths materials = for_each_map(o, "--material", o.materials), masks = for_each_map(o, "--mask", o.masks);
-  std::vector<MapFiles> maps(o.inputs.size());
-  const auto read = [&](const Paths& paths, FileRef MapFiles::*file) {
-    for (std::size_t i = 0; i < maps.size(); i++)
-      if (!paths[i].empty())
-        maps[i].*file = i > 0 && paths[i] == paths[i - 1] ? maps[i - 1].*file : tool.read(paths[i]);
-  };
-  read(o.inputs, &MapFiles::normals);
-  read(materials, &MapFiles::material);
-  read(masks, &MapFiles::mask);
-  if (!o.palette.empty()) o.quantize.palette = tool.read(o.palette);
-  return maps;
-}
-
-void reserve_rgb(Tool& tool, const Options& o, std::vector<MapFiles>& maps) {
-  if (o.rgb.empty()) return;
-  if (maps.size() > 1 && o.rgb.find(kStem) == std::string::npos)
-    throw usage("--emit-rgb: expected a name with {stem} for the images of " + std::to_string(maps.size()) +
-                " maps, got '" + o.rgb + "'");
-  const Paths paths = for_each_map(o, "--emit-rgb", {o.rgb});
-  for (std::size_t i = 0; i < maps.size(); i++) {
-    WrittenAs{"an image of colours", {FileType::kPng}}.type_of(paths[i], "--emit-rgb");
-    maps[i].rgb = tool.write(paths[i]);
-  }
-}
-
-Json describe(const QuantizeResult& result) {
-  const QuantizeStats& s = result.stats;
+Json describe(const QuantizeStats& s, const Palette& palette) {
   Json materials = Json::array();
-  for (const MaterialInterval& m : result.palette.materials)
+  for (const MaterialInterval& m : palette.materials)
     materials.push_back({{"id", m.id}, {"first", m.first}, {"count", m.count}});
   return {{"texels", s.texels},    {"normals", s.normals},   {"distinct_input_normals", s.distinct_input_normals},
           {"rms_deg", s.rms_deg},  {"mean_deg", s.mean_deg}, {"p95_deg", s.p95_deg},
@@ -118,54 +16,19 @@ Json describe(const QuantizeResult& result) {
           {"materials", materials}};
 }
 
-Json describe_maps(const Options& o, const Paths& outputs, const QuantizeResult& result) {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < outputs.size(); i++) {
-    const MapStats& s = result.maps[i];
-    list.push_back({{"input", o.inputs[i]},
-                    {"output", outputs[i]},
-                    {"texels", s.texels},
-                    {"rms_deg", s.rms_deg},
-                    {"mean_deg", s.mean_deg},
-                    {"p95_deg", s.p95_deg},
-                    {"max_deg", s.max_deg},
-                    {"invalid_texels", s.invalid_texels}});
-  }
-  return list;
+void warn_of_space(Tool& tool, const std::string& file, std::optional<NormalSpace> said, NormalSpace recorded) {
+  if (said && *said != recorded)
+    tool.warn("'" + file + "' says that its normals are in " + name(*said) + " space; they are recorded as " +
+              name(recorded) + ", as asked for");
 }
 
-Json quantize(Tool& tool, Options& o) {
-  check(o);
-  const Paths outputs = output_paths(o);
-  const FileType type = o.output_dir.empty() ? o.output.type() : o.output.type_of(outputs[0], "--extension");
-  const bool with_palette = !o.output.palette_path.empty();
-  const FileType palette_type = with_palette ? o.output.palette_type() : type;
-  std::vector<MapFiles> maps = read_inputs(tool, o);
-  if (!o.output_dir.empty()) tool.make_directory(o.output_dir);
-  std::vector<FileRef> files;
-  for (const std::string& path : outputs) files.push_back(tool.write(path));
-  reserve_rgb(tool, o, maps);
-  const FileRef palette_file = with_palette ? tool.write(o.output.palette_path) : FileRef();
+}  // namespace burnish::cli
 
-  const auto write = [&](std::size_t i, const IndexedMap& map) {
-    o.output.require_format(type, map.palette.normals.size(), outputs[i]);
-    write_indexed_map(files[i], type, map);
-  };
-  const QuantizeResult result = quantize_normal_maps(std::move(maps), o.quantize, write, tool.progress());
-  for (std::size_t i = 0; i < outputs.size(); i++)
-    if (const auto said = result.maps[i].recorded_space; said && *said != result.palette.space)
-      tool.warn("'" + o.inputs[i] + "' says that its normals are in " + name(*said) + " space; they are recorded as " +
-                name(result.palette.space) + ", as asked for");
-  if (with_palette) write_palette(palette_file, palette_type, result.palette);
-  Json stats = describe(result);
-  if (!o.output_dir.empty()) stats["maps"] = describe_maps(o, outputs, result);
-  return stats;
-}
+namespace {
 
-void add_options(CLI::App& app, Options& o) {
+void add_options(CLI::App& app, QuantizeFiles& o) {
   QuantizeOptions& q = o.quantize;
-  app.add_option("NORMAL", o.inputs, "Normal map, or several that share the palette; '-' is standard input")
-      ->required();
+  app.add_option("NORMAL", o.inputs, "Normal map, or several that share the palette; '-' is standard input");
   o.output.add_to(app);
   app.get_option("--output")->required(false);
   app.add_option("--output-dir", o.output_dir,
@@ -224,6 +87,23 @@ void add_options(CLI::App& app, Options& o) {
       app, "--space", q.space, {{"tangent", NormalSpace::kTangent}, {"object", NormalSpace::kObject}},
       "Space of the normals, recorded in the output (default what --palette says, or NORMAL; otherwise tangent)");
   add_normal_coding(app, q.coding, true);
+  const char* histograms = "Histograms";
+  app.add_option("--histogram-output", o.histogram_output,
+                 "Instead of -o: write how often the maps have which normals, for --histograms")
+      ->type_name("FILE")
+      ->group(histograms);
+  app.add_option("--histograms", o.histograms,
+                 "Instead of NORMAL: fit the palette of all maps that these were written for, and write it to "
+                 "--palette-output")
+      ->type_name("FILE")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->group(histograms);
+}
+
+Json run(Tool& tool, QuantizeFiles& o) {
+  if (!o.histograms.empty()) return fit_to_histograms(tool, o);
+  if (o.inputs.empty()) throw usage("NORMAL is required, or --histograms");
+  return o.histogram_output.empty() ? quantize_maps(tool, o) : write_histogram_of(tool, o);
 }
 
 }  // namespace
@@ -232,8 +112,10 @@ int main(int argc, char** argv) {
   Tool tool({"burnish-quantize", "Normal maps, and materials, to indexed normal maps with a palette of normals.",
              "  burnish-quantize rocks_n.png -n 2048 -o rocks_q.exr\n"
              "  burnish-quantize rocks_n.png --target-error 0.5 --material ids.png -o rocks_q.exr\n"
-             "  burnish-quantize a_n.png b_n.png --mask '{stem}_used.png' --output-dir quantized"});
-  Options options;
+             "  burnish-quantize a_n.png b_n.png --mask '{stem}_used.png' --output-dir quantized\n"
+             "  burnish-quantize a_n.png --histogram-output a.histogram\n"
+             "  burnish-quantize --histograms a.histogram b.histogram -n 2048 --palette-output shared.exr"});
+  QuantizeFiles options;
   add_options(tool.app(), options);
-  return tool.run(argc, argv, [&] { return quantize(tool, options); });
+  return tool.run(argc, argv, [&] { return run(tool, options); });
 }

@@ -63,9 +63,8 @@ TEST(PaletteCubeImage, HoldsEveryTexelsColour) {
   testing::write_ids(dir / "ids.png", kW, kH, ids);
   const std::vector<int> materials{4, 90, 200};
   for (const MaterialEncoding encoding : {MaterialEncoding::kAlpha, MaterialEncoding::kSubcubes}) {
-    MapSet maps({MapFiles{dir / "n.exr", dir / "ids.png"}}, {});
     const MaterialCube cube(encoding, 3);
-    write_cube_image(dir / "rgb.png", maps.open(0), cube, materials);
+    write_cube_image(dir / "rgb.png", {dir / "n.exr", dir / "ids.png"}, {}, cube, materials);
     const Image image = read_image(dir / "rgb.png");
     EXPECT_EQ(image.channels, cube.channels());
     std::set<Colour> colours;
@@ -93,8 +92,7 @@ TEST(PaletteCubeImage, MaskedTexelsTakeTheOthersColoursInTheirShares) {
   testing::write_ids(dir / "mask.png", kW, kH, mask);
   const MaterialCube cube(MaterialEncoding::kSubcubes, 1);
   {
-    MapSet maps({MapFiles{dir / "n.png", {}, dir / "mask.png"}}, {});
-    write_cube_image(dir / "rgb.png", maps.open(0), cube, {0});
+    write_cube_image(dir / "rgb.png", {dir / "n.png", {}, dir / "mask.png"}, {}, cube, {0});
     const Image image = read_image(dir / "rgb.png");
     std::map<Colour, double> share;
     for (int y = 0; y < kH; y++)
@@ -107,8 +105,7 @@ TEST(PaletteCubeImage, MaskedTexelsTakeTheOthersColoursInTheirShares) {
       }
   }
   testing::write_ids(dir / "mask.png", kW, kH, std::vector<int>(kW * kH));  // nothing to take colours from
-  MapSet maps({MapFiles{dir / "n.png", {}, dir / "mask.png"}}, {});
-  write_cube_image(dir / "rgb.png", maps.open(0), cube, {0});
+  write_cube_image(dir / "rgb.png", {dir / "n.png", {}, dir / "mask.png"}, {}, cube, {0});
   EXPECT_EQ(texel(read_image(dir / "rgb.png"), 0, 0), cube.encode(0, {-1, 0, 0}));
 }
 

@@ -21,10 +21,14 @@ struct Shared {
 
 Shared quantize(std::vector<MapFiles> files, const QuantizeOptions& options) {
   Shared out;
-  out.result = quantize_normal_maps(std::move(files), options, [&](std::size_t i, const IndexedMap& map) {
-    EXPECT_EQ(i, out.maps.size());
-    out.maps.push_back(map);
-  });
+  out.maps.resize(files.size());
+  std::size_t next = 0;
+  out.result =
+      quantize_normal_maps(std::move(files), options, [&](std::size_t i, const Palette& palette, int width, int) {
+        EXPECT_EQ(i, next++);
+        out.maps[i].palette = palette;
+        return append_to(out.maps[i].levels.emplace_back(), width);
+      });
   return out;
 }
 

@@ -8,8 +8,17 @@
 namespace burnish {
 namespace {
 
-constexpr int kRows = 4 * kDotBandRows;  // of a band
-constexpr std::size_t kRowsOfSum = 64;
+// Of a chunk of a sum; of wide maps fewer, so that all threads have some.
+std::size_t rows_of_sum(int width) {
+  constexpr std::size_t kTexels = std::size_t(1) << 18;
+  return std::clamp<std::size_t>(kTexels / width, 1, 64);
+}
+
+// Of a band: enough for all threads, and of wide maps no more than it takes.
+int rows_of_band(int width) {
+  constexpr std::size_t kTexels = std::size_t(1) << 22;
+  return kDotBandRows * int(std::clamp<std::size_t>(kTexels / kDotBandRows / width, 1, 4));
+}
 
 double angle_to(Vec3f normal, Vec3f entry) { return angle_rad(Vec3d(normal), Vec3d(entry)); }
 
@@ -47,9 +56,9 @@ AngleStats nearest_angles(const Histogram& histogram, const Palette& palette, co
   return total;
 }
 
-// A band of rows, and the region of the row below it.
+// Rows, and the regions of their texels and of those of the row below.
 struct Mapper::Band {
-  int first, rows;
+  int width, rows;
   std::vector<Vec3f> normals;
   std::vector<std::uint16_t> region;
 };
@@ -77,105 +86,113 @@ Mapper::Mapper(const Histogram& histogram, const Palette& palette, const std::st
   });
 }
 
-AngleStats Mapper::run(OpenMap& map, IndexImage& index, const Progress& progress) {
-  return nearest_.empty() ? search(map, index, progress) : look_up(map, index, progress);
-}
-
-AngleStats Mapper::look_up(OpenMap& map, IndexImage& index, const Progress& progress) const {
-  const int w = map.texels.width(), h = map.texels.height();
+AngleStats Mapper::run(OpenMap& map, const IndexRowSink& sink, const Progress& progress) const {
+  const int w = map.width(), h = map.height(), band = rows_of_band(w);
+  TexelRows here, below, ahead;  // below: that error diffusion may look down
+  std::vector<std::uint16_t> made, written;
+  const auto read = [&](int y, TexelRows& to) {
+    if (y < h) map.read_rows(y, std::min(band, h - y), to);
+  };
+  const auto write = [&] {
+    if (!written.empty()) sink(int(written.size() / w), written.data());
+  };
+  ErrorDiffusion diffusion(palette_.normals, ranges_of_regions_, w, amount_);
   AngleStats angles;
-  std::vector<std::uint64_t> keys(std::size_t(w) * std::min(h, kRows));
-  for (int y0 = 0; y0 < h; y0 += kRows) {
-    const int rows = std::min(kRows, h - y0);
-    map.texels.read_rows(y0, rows, keys.data());
-    angles += parallel_sum<AngleStats>(rows, kRowsOfSum, [&](std::size_t begin, std::size_t end) {
-      AngleStats s;
-      for (std::size_t r = begin; r < end; r++)
-        look_up_row(map, y0 + int(r), keys.data() + r * w, index.row(y0 + int(r)), s);
-      return s;
-    });
-    report_progress(progress, double(y0 + rows) / h);
+  read(0, here);
+  read(band, below);
+  for (int y = 0; y < h; y += band) {
+    made.resize(std::size_t(w) * here.count);
+    const auto map_band = [&] {
+      angles += nearest_.empty() ? search(here, y + band < h ? &below : nullptr, diffusion, made.data())
+                                 : look_up(here, made.data());
+    };
+    parallel_invoke([&] { read(y + 2 * band, ahead); }, [&] { parallel_invoke(write, map_band); });
+    std::swap(made, written);
+    report_progress(progress, double(y + here.count) / h);
+    std::swap(here, below);
+    std::swap(below, ahead);
   }
-  return angle_.empty() ? nearest_angles(histogram_, palette_, ranges_) : angles;
+  write();
+  return nearest_.empty() || !angle_.empty() ? angles : nearest_angles(histogram_, palette_, ranges_);
 }
 
-void Mapper::look_up_row(const OpenMap& map, int y, const std::uint64_t* keys, std::uint16_t* out,
-                         AngleStats& angles) const {
-  const TexelClasses& classes = map.classes;
-  const int w = map.texels.width();
+AngleStats Mapper::look_up(const TexelRows& rows, std::uint16_t* out) const {
+  return parallel_sum<AngleStats>(rows.count, rows_of_sum(rows.width), [&](std::size_t begin, std::size_t end) {
+    AngleStats s;
+    for (std::size_t y = begin; y < end; y++) look_up_row(rows, int(y), out + y * rows.width, s);
+    return s;
+  });
+}
+
+void Mapper::look_up_row(const TexelRows& rows, int y, std::uint16_t* out, AngleStats& angles) const {
+  const std::uint64_t* keys = rows.row(y);
   std::uint64_t last = ~std::uint64_t(0);
   std::uint32_t at = 0;
-  for (int x = 0; x < w; x++) {
-    const int material = classes.material_at(x, y);
-    if (x + KeyTable::kAhead < w) histogram_.table.prefetch(Histogram::key(material, keys[x + KeyTable::kAhead]));
+  for (int x = 0; x < rows.width; x++) {
+    const int material = rows.material_at(x, y);
+    if (x + KeyTable::kAhead < rows.width)
+      histogram_.table.prefetch(Histogram::key(material, keys[x + KeyTable::kAhead]));
     if (const std::uint64_t key = Histogram::key(material, keys[x]); key != last)
       at = histogram_.table.at(key), last = key;
     out[x] = nearest_[at];
-    if (!angle_.empty() && classes.counts_at(x, y)) angles.add(angle_[at]);
+    if (!angle_.empty() && rows.counts_at(x, y)) angles.add(angle_[at]);
   }
 }
 
-AngleStats Mapper::search(OpenMap& map, IndexImage& index, const Progress& progress) const {
-  const int w = map.texels.width(), h = map.texels.height();
-  ErrorDiffusion diffusion(palette_.normals, ranges_of_regions_, w, amount_);
-  AngleStats angles;
-  std::vector<std::uint64_t> keys(std::size_t(w) * std::min(h, kRows));
-  for (int y0 = 0; y0 < h; y0 += kRows) {
-    const int rows = std::min(kRows, h - y0);
-    map.texels.read_rows(y0, rows, keys.data());
-    const Band band = decode(map, y0, rows, keys.data());
-    switch (dither_) {
-      case Dither::kDiffusion:
-        for (int r = 0; r < rows; r++) {
-          const std::uint16_t* region = band.region.data() + std::size_t(r) * w;
-          diffusion.row(band.normals.data() + std::size_t(r) * w, region, y0 + r + 1 == h ? nullptr : region + w,
-                        index.row(y0 + r));
-        }
-        break;
-      case Dither::kBlueNoise:
-        parallel_for_chunks(rows, kDotBandRows, [&](std::size_t begin, std::size_t end, std::size_t) {
-          diffuse_dots(palette_.normals, ranges_of_regions_, w, int(end - begin), band.normals.data() + begin * w,
-                       band.region.data() + begin * w, amount_, index.row(y0 + int(begin)));
-        });
-        break;
-      case Dither::kNone:
-        parallel_for(rows, [&](std::size_t r) { nearest_row(band, r, index.row(y0 + int(r))); });
-    }
-    angles += parallel_sum<AngleStats>(rows, kRowsOfSum, [&](std::size_t begin, std::size_t end) {
-      AngleStats s;
-      for (std::size_t i = begin * w; i < end * w; i++)
-        if (band.region[i] % 2) s.add(angle_to(band.normals[i], palette_.normals[index.data[std::size_t(y0) * w + i]]));
-      return s;
-    });
-    report_progress(progress, double(y0 + rows) / h);
+AngleStats Mapper::search(const TexelRows& rows, const TexelRows* below, ErrorDiffusion& diffusion,
+                          std::uint16_t* out) const {
+  const std::size_t w = rows.width;
+  const Band band = decode(rows, below);
+  switch (dither_) {
+    case Dither::kDiffusion:
+      for (int r = 0; r < rows.count; r++) {
+        const std::uint16_t* region = band.region.data() + r * w;
+        diffusion.row(band.normals.data() + r * w, region, r + 1 == rows.count && !below ? nullptr : region + w,
+                      out + r * w);
+      }
+      break;
+    case Dither::kBlueNoise:
+      parallel_for_chunks(rows.count, kDotBandRows, [&](std::size_t begin, std::size_t end, std::size_t) {
+        diffuse_dots(palette_.normals, ranges_of_regions_, int(w), int(end - begin), band.normals.data() + begin * w,
+                     band.region.data() + begin * w, amount_, out + begin * w);
+      });
+      break;
+    case Dither::kNone:
+      parallel_for(rows.count, [&](std::size_t r) { nearest_row(band, r, out + r * w); });
   }
-  return angles;
-}
-
-Mapper::Band Mapper::decode(const OpenMap& map, int first_row, int rows, const std::uint64_t* keys) const {
-  const std::size_t w = map.texels.width();
-  const int region_rows = std::min(rows + 1, map.texels.height() - first_row);
-  Band band{first_row, rows, std::vector<Vec3f>(w * rows), std::vector<std::uint16_t>(w * region_rows)};
-  parallel_for(rows, [&](std::size_t r) {
-    bool invalid;
-    for (std::size_t i = r * w; i < (r + 1) * w; i++) band.normals[i] = map.texels.decode(keys[i], invalid);
+  return parallel_sum<AngleStats>(rows.count, rows_of_sum(rows.width), [&](std::size_t begin, std::size_t end) {
+    AngleStats s;
+    for (std::size_t i = begin * w; i < end * w; i++)
+      if (band.region[i] % 2) s.add(angle_to(band.normals[i], palette_.normals[out[i]]));
+    return s;
   });
-  parallel_for(region_rows, [&](std::size_t r) {
-    for (std::size_t x = 0; x < w; x++) band.region[r * w + x] = region(map.classes, int(x), first_row + int(r));
+}
+
+Mapper::Band Mapper::decode(const TexelRows& rows, const TexelRows* below) const {
+  const std::size_t w = rows.width, regions = rows.count + (below ? 1 : 0);
+  Band band{rows.width, rows.count, std::vector<Vec3f>(w * rows.count), std::vector<std::uint16_t>(w * regions)};
+  parallel_for(regions, [&](std::size_t r) {
+    if (int(r) == rows.count) {
+      for (std::size_t x = 0; x < w; x++) band.region[r * w + x] = region(*below, int(x), 0);
+      return;
+    }
+    bool invalid;
+    for (std::size_t i = r * w; i < (r + 1) * w; i++) band.normals[i] = TexelKeys::decode(rows.keys[i], invalid);
+    for (std::size_t x = 0; x < w; x++) band.region[r * w + x] = region(rows, int(x), int(r));
   });
   return band;
 }
 
 void Mapper::nearest_row(const Band& band, std::size_t row, std::uint16_t* out) const {
-  const std::size_t w = band.normals.size() / band.rows;
+  const std::size_t w = band.width;
   for (std::size_t x = 0; x < w; x++) {
     const EntryRange& range = *ranges_of_regions_[band.region[row * w + x]];
     out[x] = std::uint16_t(range.first + range.nearest(band.normals[row * w + x]));
   }
 }
 
-std::uint16_t Mapper::region(const TexelClasses& classes, int x, int y) const {
-  return std::uint16_t(2 * group_[classes.material_at(x, y)] + (classes.counts_at(x, y) ? 1 : 0));
+std::uint16_t Mapper::region(const TexelRows& rows, int x, int y) const {
+  return std::uint16_t(2 * group_[rows.material_at(x, y)] + (rows.counts_at(x, y) ? 1 : 0));
 }
 
 }  // namespace burnish

@@ -10,7 +10,7 @@
 #include "burnish/palette/angle_stats.h"
 #include "burnish/palette/dither.h"
 #include "burnish/palette/histogram.h"
-#include "burnish/palette/indexed_map.h"
+#include "burnish/palette/indexed_rows.h"
 #include "burnish/palette/map_set.h"
 
 namespace burnish {
@@ -29,17 +29,18 @@ class Mapper {
   Mapper(const Histogram& histogram, const Palette& palette, const std::string& palette_name, Dither dither,
          double amount);
 
-  // Fills the index of a map that the histogram has counted; the angles of its texels that count.
-  AngleStats run(OpenMap& map, IndexImage& index, const Progress& progress);
+  // The indices of a map that the histogram has counted, from the top; the angles of its texels that count. Bands of
+  // rows are read, mapped and given away side by side: what is held does not grow with the map's height.
+  AngleStats run(OpenMap& map, const IndexRowSink& sink, const Progress& progress) const;
 
  private:
   struct Band;
-  AngleStats look_up(OpenMap& map, IndexImage& index, const Progress& progress) const;
-  void look_up_row(const OpenMap& map, int y, const std::uint64_t* keys, std::uint16_t* out, AngleStats& angles) const;
-  AngleStats search(OpenMap& map, IndexImage& index, const Progress& progress) const;
-  Band decode(const OpenMap& map, int first_row, int rows, const std::uint64_t* keys) const;
+  AngleStats look_up(const TexelRows& rows, std::uint16_t* out) const;
+  void look_up_row(const TexelRows& rows, int y, std::uint16_t* out, AngleStats& angles) const;
+  AngleStats search(const TexelRows& rows, const TexelRows* below, ErrorDiffusion& diffusion, std::uint16_t* out) const;
+  Band decode(const TexelRows& rows, const TexelRows* below) const;
   void nearest_row(const Band& band, std::size_t row, std::uint16_t* out) const;
-  std::uint16_t region(const TexelClasses& classes, int x, int y) const;
+  std::uint16_t region(const TexelRows& rows, int x, int y) const;
 
   const Histogram& histogram_;
   const Palette& palette_;

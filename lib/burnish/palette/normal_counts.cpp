@@ -12,30 +12,30 @@ namespace {
 constexpr int kLanes = 8;  // tables filled side by side; their number is fixed, the threads take them as they come
 constexpr int kBandRows = 128;
 
-// Calls body(lane, keys of the row, y) for every row, lanes in parallel, while the next band is read; stops where it
-// returns false.
+// Calls body(lane, rows, y) for each row y of each band of rows, lanes in parallel, while the next band is read; stops
+// where it returns false.
 template <typename Body>
-bool for_each_row(TexelKeys& texels, const Progress& progress, const Body& body) {
-  const int w = texels.width(), h = texels.height();
-  std::vector<std::uint64_t> keys(std::size_t(w) * std::min(h, kBandRows)), next(keys.size());
+bool for_each_row(OpenMap& map, const Progress& progress, const Body& body) {
+  const int h = map.height();
+  TexelRows rows, next;
   std::array<bool, kLanes> go_on;
   go_on.fill(true);
-  const auto read = [&](int y, std::vector<std::uint64_t>& to) {
-    if (y < h) texels.read_rows(y, std::min(kBandRows, h - y), to.data());
+  const auto read = [&](int y, TexelRows& to) {
+    if (y < h) map.read_rows(y, std::min(kBandRows, h - y), to);
   };
-  read(0, keys);
+  read(0, rows);
   for (int y = 0; y < h; y += kBandRows) {
-    const int rows = std::min(kBandRows, h - y);
     parallel_invoke([&] { read(y + kBandRows, next); },
                     [&] {
                       parallel_for(kLanes, [&](std::size_t lane) {
-                        for (int r = int(lane) * rows / kLanes; r < int(lane + 1) * rows / kLanes && go_on[lane]; r++)
-                          go_on[lane] = body(lane, keys.data() + std::size_t(r) * w, y + r);
+                        const int end = int(lane + 1) * rows.count / kLanes;
+                        for (int r = int(lane) * rows.count / kLanes; r < end && go_on[lane]; r++)
+                          go_on[lane] = body(lane, rows, r);
                       });
                     });
     if (std::ranges::find(go_on, false) != go_on.end()) return false;
-    std::swap(keys, next);
-    report_progress(progress, double(y + rows) / h);
+    report_progress(progress, double(y + rows.count) / h);
+    std::swap(rows, next);
   }
   return true;
 }
@@ -124,18 +124,18 @@ std::vector<NormalCounts::Key> NormalCounts::take_sorted_keys(KeyTable& numbers)
 
 // False, with lanes of no further use, where the keys are too many to be kept.
 bool NormalCounts::count(OpenMap& map, const Progress& progress, std::vector<Lane>& lanes) {
-  const TexelClasses& classes = map.classes;
-  const int w = map.texels.width();
-  return for_each_row(map.texels, progress, [&](std::size_t number, const std::uint64_t* keys, int y) {
+  const int w = map.width();
+  return for_each_row(map, progress, [&](std::size_t number, const TexelRows& rows, int y) {
+    const std::uint64_t* keys = rows.row(y);
     Lane& lane = lanes[number];
     for (int x = 0; x < w;) {
-      const int material = classes.material_at(x, y);
-      const bool counts = classes.counts_at(x, y);
+      const int material = rows.material_at(x, y);
+      const bool counts = rows.counts_at(x, y);
       KeyTable& table = counts ? lane.counted : lane.masked;
       if (x + KeyTable::kAhead < w) table.prefetch(key(material, keys[x + KeyTable::kAhead]));
       int end = x + 1;
-      while (end < w && keys[end] == keys[x] && classes.material_at(end, y) == material &&
-             classes.counts_at(end, y) == counts)
+      while (end < w && keys[end] == keys[x] && rows.material_at(end, y) == material &&
+             rows.counts_at(end, y) == counts)
         end++;
       table[key(material, keys[x])] += std::uint32_t(end - x);
       x = end;
@@ -147,14 +147,14 @@ bool NormalCounts::count(OpenMap& map, const Progress& progress, std::vector<Lan
 void NormalCounts::count_in_bins(OpenMap& map, const Progress& progress) {
   std::array<NormalBins, kLanes> lanes;
   std::array<Texels, kLanes> of_lane{};
-  for_each_row(map.texels, progress, [&](std::size_t lane, const std::uint64_t* keys, int y) {
-    for (int x = 0; x < map.texels.width(); x++) {
+  for_each_row(map, progress, [&](std::size_t lane, const TexelRows& rows, int y) {
+    for (int x = 0; x < rows.width; x++) {
       bool invalid;
-      const Vec3f n = TexelKeys::decode(keys[x], invalid);
-      const bool counts = map.classes.counts_at(x, y);
+      const Vec3f n = TexelKeys::decode(rows.row(y)[x], invalid);
+      const bool counts = rows.counts_at(x, y);
       of_lane[lane].counted += counts;
       of_lane[lane].invalid += invalid && counts;
-      lanes[lane].add(map.classes.material_at(x, y), counts, n);
+      lanes[lane].add(rows.material_at(x, y), counts, n);
     }
     return true;
   });

@@ -70,44 +70,44 @@ QuantizeResult quantize_normal_maps(std::vector<MapFiles> files, const QuantizeO
   const Histogram histogram = count_normals(maps, part_of(progress, 0, 0.3));
   require_encodable(options.encoding, histogram.material.size(), material_files(maps));
 
-  IndexedMap map;
-  map.palette = given ? std::move(*given)
-                : !options.palette.empty()
-                    ? palette_of_colours(options, space, histogram)
-                    : fit_palette(histogram, options, space, material_files(maps), part_of(progress, 0.3, 0.8));
-  Mapper mapper(histogram, map.palette, options.palette.empty() ? "palette" : options.palette.name, options.dither,
+  result.palette = given ? std::move(*given)
+                   : !options.palette.empty()
+                       ? palette_of_colours(options, space, histogram)
+                       : fit_palette(histogram, options, space, material_files(maps), part_of(progress, 0.3, 0.8));
+  Mapper mapper(histogram, result.palette, options.palette.empty() ? "palette" : options.palette.name, options.dither,
                 options.dither_amount);
   AngleStats angles;
   for (std::size_t i = 0; i < maps.size(); i++) {
     OpenMap& open = maps.open(i);
     if (const FileRef& rgb = maps.files(i).rgb; !rgb.empty())
-      write_cube_image(rgb, open, MaterialCube(options.encoding, int(histogram.material.size())), histogram.material);
-    map.levels.clear();
-    map.levels.emplace_back(open.texels.width(), open.texels.height());
+      write_cube_image(rgb, maps.files(i), options.coding,
+                       MaterialCube(options.encoding, int(histogram.material.size())), histogram.material);
     const double from = double(i) / double(maps.size()), to = double(i + 1) / double(maps.size());
-    const AngleStats of_map = mapper.run(open, map.levels[0], part_of(part_of(progress, 0.8, 1), from, to));
+    const AngleStats of_map = mapper.run(open, sink(i, result.palette, open.width(), open.height()),
+                                         part_of(part_of(progress, 0.8, 1), from, to));
     angles += of_map;
     MapStats& s = result.maps[i];
     s.texels = histogram.maps[i].counted, s.invalid_texels = histogram.maps[i].invalid;
     s.set_angles(of_map);
-    sink(i, map);
   }
 
   QuantizeStats& s = result.stats;
   for (const MapStats& m : result.maps) s.texels += m.texels, s.invalid_texels += m.invalid_texels;
   s.set_angles(angles);
-  s.normals = int(map.palette.normals.size());
+  s.normals = int(result.palette.normals.size());
   s.distinct_input_normals = histogram.distinct;
   s.lossless = histogram.exact && s.max_deg == 0;
-  result.palette = std::move(map.palette);
   return result;
 }
 
 QuantizedMap quantize_normal_map(const MapFiles& map, const QuantizeOptions& options, const Progress& progress) {
   QuantizedMap result;
-  result.stats = quantize_normal_maps(
-                     {map}, options, [&](std::size_t, const IndexedMap& m) { result.map = m; }, progress)
-                     .stats;
+  const auto keep = [&](std::size_t, const Palette&, int width, int) {
+    return append_to(result.map.levels.emplace_back(), width);
+  };
+  QuantizeResult quantized = quantize_normal_maps({map}, options, keep, progress);
+  result.stats = quantized.stats;
+  result.map.palette = std::move(quantized.palette);
   return result;
 }
 

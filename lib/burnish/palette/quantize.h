@@ -15,7 +15,7 @@
 #include "burnish/palette/angle_stats.h"
 #include "burnish/palette/dither.h"
 #include "burnish/palette/fit/fit_palette.h"
-#include "burnish/palette/indexed_map.h"
+#include "burnish/palette/indexed_rows.h"
 #include "burnish/palette/map_set.h"
 
 namespace burnish {
@@ -54,13 +54,13 @@ struct QuantizeResult {
   std::vector<QuantizedMapStats> maps;
 };
 
-// Takes each map, of one level, when it is done, in their order.
-using MapSink = std::function<void(std::size_t i, const IndexedMap& map)>;
+// Called for each map in their order: where its rows are to go. The palette lives as long as they come.
+using MapSink = std::function<IndexRowSink(std::size_t i, const Palette& palette, int width, int height)>;
 
-// Holds one map at a time. Errors: kUsage for no maps, options out of range, or colours to be written with kSplit;
-// kMalformed for NaN, sizes that differ, materials a given palette lacks, fewer normals than materials, a mask of
-// zeros, maps that say that they are in different spaces where nothing else decides; kUnsupported for more than an
-// engine or encoding holds; kThreshold where 65536 normals miss the target error.
+// Holds bands of rows of one map at a time. Errors: kUsage for no maps, options out of range, or colours to be written
+// with kSplit; kMalformed for NaN, sizes that differ, materials a given palette lacks, fewer normals than materials, a
+// mask of zeros, maps that say that they are in different spaces where nothing else decides; kUnsupported for more than
+// an engine or encoding holds; kThreshold where 65536 normals miss the target error.
 QuantizeResult quantize_normal_maps(std::vector<MapFiles> maps, const QuantizeOptions& options, const MapSink& sink,
                                     const Progress& progress = {});
 

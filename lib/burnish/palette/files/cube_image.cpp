@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -12,44 +14,73 @@
 namespace burnish {
 namespace {
 
-// Texels whose mask is 0 take the colours of the others, one after the other and round again.
-void fill_masked(const TexelClasses& classes, ByteImage& image) {
-  const auto counts = [&](std::size_t i) { return classes.mask.data[i] != 0; };
-  const std::size_t texels = image.texels();
-  if (classes.mask.data.empty() || std::ranges::count(classes.mask.data, 0) == std::ptrdiff_t(texels)) return;
-  std::size_t from = texels - 1;
-  for (std::size_t i = 0; i < texels; i++) {
-    if (counts(i)) continue;
-    do from = (from + 1) % texels;
-    while (!counts(from));
-    std::copy_n(image.data.data() + from * image.channels, image.channels, image.data.data() + i * image.channels);
+using ColourOf = std::function<Colour(const TexelRows& rows, int x, int y)>;
+
+constexpr int kRows = 64;
+
+// The colours of the texels that count, from the first on and round again.
+class CountedColours {
+ public:
+  CountedColours(OpenMap map, const ColourOf& colour_of) : map_(std::move(map)), colour_of_(colour_of) {}
+  // None where no texel counts.
+  std::optional<Colour> next() {
+    for (std::size_t left = none_ ? 0 : std::size_t(map_.width()) * map_.height(); left > 0; left--) {
+      advance();
+      if (rows_.counts_at(x_, y_)) return colour_of_(rows_, x_, y_);
+    }
+    none_ = true;
+    return std::nullopt;
   }
-}
+
+ private:
+  void advance() {
+    if (++x_ < rows_.width) return;
+    x_ = 0;
+    if (++y_ < rows_.count) return;
+    first_ += rows_.count;
+    if (first_ == map_.height()) first_ = 0;
+    map_.read_rows(first_, std::min(kRows, map_.height() - first_), rows_);
+    y_ = 0;
+  }
+
+  OpenMap map_;
+  const ColourOf& colour_of_;
+  TexelRows rows_;
+  bool none_ = false;
+  int first_ = 0, x_ = 0, y_ = 0;  // of rows_ in the map; in rows_
+};
 
 }  // namespace
 
-void write_cube_image(const FileRef& file, OpenMap& map, const MaterialCube& cube, const std::vector<int>& materials) {
-  const int w = map.texels.width(), h = map.texels.height();
+void write_cube_image(const FileRef& file, const MapFiles& files, const NormalCoding& coding, const MaterialCube& cube,
+                      const std::vector<int>& materials) {
   std::vector<int> number(256);
   for (std::size_t k = 0; k < materials.size(); k++) number[materials[k]] = int(k);
-  ByteImage image(w, h, cube.channels());
-  constexpr int kRows = 64;
-  std::vector<std::uint64_t> keys(std::size_t(w) * kRows);
-  for (int y0 = 0; y0 < h; y0 += kRows) {
-    const int rows = std::min(kRows, h - y0);
-    map.texels.read_rows(y0, rows, keys.data());
-    parallel_for(rows, [&](std::size_t r) {
-      for (int x = 0; x < w; x++) {
-        bool invalid;
-        const Vec3f normal = map.texels.decode(keys[r * w + x], invalid);
-        const Colour c = cube.encode(number[map.classes.material_at(x, y0 + int(r))], normal);
-        for (int i = 0; i < image.channels; i++) image.at(x, y0 + int(r))[i] = std::uint8_t(c[i]);
-      }
+  const ColourOf colour_of = [&](const TexelRows& rows, int x, int y) {
+    bool invalid;
+    return cube.encode(number[rows.material_at(x, y)], TexelKeys::decode(rows.row(y)[x], invalid));
+  };
+  OpenMap map(files, coding);
+  std::optional<CountedColours> counted;
+  if (!files.mask.empty()) counted.emplace(OpenMap(files, coding), colour_of);
+  const int channels = cube.channels();
+  ImageWriter writer(file, FileType::kPng, SampleType::kUint8, map.width(), map.height(), channels);
+  TexelRows rows;
+  ByteImage image(map.width(), kRows, channels);
+  const auto set = [&](int x, int y, const Colour& c) {
+    for (int i = 0; i < channels; i++) image.at(x, y)[i] = std::uint8_t(c[i]);
+  };
+  for (int y0 = 0; y0 < map.height(); y0 += kRows) {
+    map.read_rows(y0, std::min(kRows, map.height() - y0), rows);
+    parallel_for(rows.count, [&](std::size_t y) {
+      for (int x = 0; x < rows.width; x++) set(x, int(y), colour_of(rows, x, int(y)));
     });
+    for (int y = 0; y < rows.count && counted; y++)
+      for (int x = 0; x < rows.width; x++)
+        if (!rows.counts_at(x, y))
+          if (const std::optional<Colour> colour = counted->next()) set(x, y, *colour);
+    writer.write_rows_stored(rows.count, image.data.data());
   }
-  fill_masked(map.classes, image);
-  ImageWriter writer(file, FileType::kPng, SampleType::kUint8, w, h, image.channels);
-  writer.write_rows_stored(h, image.data.data());
   writer.close();
 }
 
