@@ -115,6 +115,30 @@ END
   [ "$(value ran r.json)" = 0 ]
 }
 
+@test "shared-palette: what one texture changes is its histogram, the palette and the maps" {
+  cp "$BURNISH_SOURCE_DIR/samples/batch/shared-palette.toml" r.toml
+  succeeds batch --report r.json
+  [ "$(value ran r.json)" = 10 ]
+  succeeds burnish-quantize made/*_n.png -n 256 --output-dir all --palette-output palette.exr
+  same_bytes palette.exr made/palette.exr
+  for map in all/*_n.exr; do same_bytes "$map" "made/$(basename "$map" _n.exr)_q.exr"; done
+  succeeds batch --report r.json
+  [ "$(value ran r.json)" = 0 ]
+  cp in/tiles.png in/waves.png
+  burnish-batch r.toml --directory in --build-dir made --dry-run >due.json
+  "$PYTHON3" - <<'END'
+import json
+due = json.load(open("due.json"))
+made = sorted(output for d in due for output in d["outputs"])
+assert made == ["palette.exr", "studs_q.exr", "tiles_q.exr", "waves.histogram", "waves_n.png", "waves_q.exr"], made
+END
+  succeeds batch --report r.json
+  [ "$(value ran r.json)" = 6 ]
+  succeeds burnish-quantize made/*_n.png -n 256 --output-dir all --palette-output palette.exr
+  same_bytes palette.exr made/palette.exr
+  for map in all/*_n.exr; do same_bytes "$map" "made/$(basename "$map" _n.exr)_q.exr"; done
+}
+
 @test "what is refused, and leaves nothing" {
   refuses 2 "'none.toml'" burnish-batch none.toml
   refuses 2 "'none': is not a directory" burnish-batch r.toml --directory none

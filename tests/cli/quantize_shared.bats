@@ -160,3 +160,92 @@ PYTHON
   succeeds burnish-quantize $maps --encoding biased -n $((n - 1)) --output-dir q --report r.json
   "${PYTHON3:-python3}" -c 'import json; assert json.load(open("r.json"))["stats"]["rms_deg"] > 3'
 }
+
+@test "--histogram-output and --histograms: the palette of all maps, from files of each" {
+  inputs
+  for m in a b c; do
+    file=$(echo maps/$m.*)
+    succeeds burnish-quantize "$file" --encoding biased --material ids/$m.png --mask masks/$m.png \
+      --histogram-output $m.histogram --report $m.json --depfile $m.d
+    fits_schema quantize $m.json
+    [ "$(cat $m.d)" = "$m.histogram: $file ids/$m.png masks/$m.png" ]
+  done
+  for options in "-n 100" "--target-error 4" "-n 90 --engine median-cut" "-n 80 --material-encoding alpha" "-n 70 --space object"; do
+    succeeds burnish-quantize $maps --encoding biased --material 'ids/{stem}.png' --mask 'masks/{stem}.png' $options \
+      --output-dir all --palette-output all.exr --report all.json
+    succeeds burnish-quantize --histograms a.histogram b.histogram c.histogram $options --palette-output p.exr --report r.json
+    same_bytes p.exr all.exr
+    fits_schema quantize r.json
+    for figure in texels normals distinct_input_normals max_deg lossless invalid_texels materials; do
+      [ "$(value $figure r.json)" = "$(value $figure all.json)" ] || { echo "$options: $figure"; return 1; }
+    done
+  done
+  # Given one by one, in any order, as PNG; what was read is named.
+  succeeds burnish-quantize --histograms c.histogram -n 100 --histograms a.histogram --palette-output p.png --histograms b.histogram \
+    --report r.json --depfile d
+  succeeds burnish-quantize $maps --encoding biased --material 'ids/{stem}.png' --mask 'masks/{stem}.png' -n 100 \
+    --output-dir all --palette-output all.png
+  same_bytes p.png all.png
+  [ "$(cat d)" = "p.png: c.histogram a.histogram b.histogram" ]
+  "${PYTHON3:-python3}" -c 'import json; r = json.load(open("r.json")); assert (r["inputs"], r["outputs"]) == (["c.histogram", "a.histogram", "b.histogram"], ["p.png"]), r'
+  # One of several maps is as those of each.
+  succeeds burnish-quantize $maps --encoding biased --material 'ids/{stem}.png' --mask 'masks/{stem}.png' --histogram-output - >all.histogram
+  cp out all.histogram
+  succeeds burnish-quantize --histograms all.histogram -n 100 --palette-output p.png
+  same_bytes p.png all.png
+}
+
+@test "histograms: the same bytes for any thread count; maps of other codings add up" {
+  inputs
+  succeeds burnish-quantize maps/a.png --histogram-output one -j 1
+  succeeds burnish-quantize maps/a.png --histogram-output two -j 8
+  same_bytes one two
+  make_image bumps 64 48 h.png
+  succeeds burnish-normals h.png --height 9 -d half -o up.exr
+  succeeds burnish-normals h.png --height 9 -d half --y down -o down.exr
+  succeeds burnish-quantize down.exr --y down --histogram-output down
+  succeeds burnish-quantize up.exr --histogram-output up
+  succeeds burnish-quantize --histograms up down -n 50 --palette-output both.exr --report r.json
+  succeeds burnish-quantize --histograms up -n 50 --palette-output up_p.exr --report up.json
+  [ "$(value distinct_input_normals r.json)" = "$(value distinct_input_normals up.json)" ]
+  same_bytes both.exr up_p.exr
+}
+
+@test "histograms: options that do not go together" {
+  inputs
+  succeeds burnish-quantize maps/a.png --histogram-output a
+  refuses 1 "NORMAL is required, or --histograms" burnish-quantize -o x.exr
+  refuses 1 "NORMAL does not go with --histograms" burnish-quantize maps/a.png --histograms a --palette-output p.exr
+  refuses 1 "--histograms needs --palette-output" burnish-quantize --histograms a
+  refuses 1 "'a' is given twice" burnish-quantize --histograms a a --palette-output p.exr
+  cp a p.exr
+  refuses 1 "'p.exr': is an input" burnish-quantize --histograms p.exr --palette-output p.exr
+  rm p.exr
+  for option in "-o x.exr" "--output-dir x" "--output-type exr" "--extension png" "-d uint8" "--material ids/a.png" "--mask masks/a.png" \
+    "--emit-rgb x.png" "--dither none" "--dither-amount 1" "--palette a" "--y up" "--encoding biased" "--channels xy" \
+    "--histogram-output b"; do
+    refuses 1 "does not go with --histograms" burnish-quantize --histograms a --palette-output p.exr $option
+  done
+  for option in "-o x.exr" "--output-dir x" "--output-type exr" "--extension png" "-d uint8" "--palette-output p.exr" "--palette a" "-n 9" \
+    "--target-error 1" "--engine spherical" "--material-encoding alpha" "--emit-rgb x.png" "--dither none" "--dither-amount 1"; do
+    refuses 1 "does not go with --histogram-output" burnish-quantize maps/a.png --histogram-output x $option
+  done
+  refuses 5 "--palette-output" burnish-quantize --histograms a --palette-output p.tif
+  refuses 1 "is an input" burnish-quantize maps/a.png --histogram-output maps/a.png
+}
+
+@test "histograms: files that are none, are damaged, or contradict each other" {
+  inputs
+  succeeds burnish-quantize maps/a.png --space object --histogram-output object
+  succeeds burnish-quantize maps/a.png --space tangent --histogram-output tangent
+  refuses 2 "'none'" burnish-quantize --histograms object none --palette-output p.exr
+  refuses 3 "'maps/a.png': expected a histogram" burnish-quantize --histograms object maps/a.png --palette-output p.exr
+  head -c 300 object >cut
+  refuses 3 "'cut': expected a zlib stream" burnish-quantize --histograms cut --palette-output p.exr
+  refuses 3 "'tangent': expected normals in object space, as in 'object', got tangent space" \
+    burnish-quantize --histograms object tangent --palette-output p.exr
+  call burnish-quantize --histograms object tangent --space object --palette-output p.exr
+  [ "$status" -eq 0 ]
+  grep -qx "burnish-quantize: warning: 'tangent' says that its normals are in tangent space; they are recorded as object, as asked for" err
+  refuses 3 "at least one for each of the" burnish-quantize --histograms <(burnish-quantize maps/a.png --material ids/a.png --histogram-output -) -n 2 --palette-output q.exr
+}

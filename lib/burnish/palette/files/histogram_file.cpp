@@ -50,9 +50,12 @@ class Numbers {
                     std::to_string(number));
     return number;
   }
-  // As many as fit into what is left, with so many numbers each.
-  std::size_t take_count(const std::string& what, std::size_t most, std::size_t numbers_each) {
-    return take(what, 1, std::min(most, (bytes_.size() - at_) / numbers_each));
+  // How many things follow, of at least so many numbers each.
+  std::size_t take_count(const std::string& things, std::size_t most, std::size_t numbers_each) {
+    const std::size_t n = take("a number of " + things, 1, most);
+    if (n > (bytes_.size() - at_) / numbers_each)
+      throw damaged(file_, std::to_string(n) + " " + things, "the end of the file");
+    return n;
   }
   void end() const {
     if (at_ != bytes_.size()) throw damaged(file_, "an end", std::to_string(bytes_.size() - at_) + " more bytes");
@@ -145,7 +148,7 @@ std::vector<std::uint64_t> take_keys(const FileRef& file, Numbers& in, std::size
 }
 
 NormalCounts take_exact(const FileRef& file, Numbers& in) {
-  const std::size_t n = in.take_count("a number of keys", NormalCounts::kMostKeys, 3);
+  const std::size_t n = in.take_count("keys", NormalCounts::kMostKeys, 3);
   const std::vector<std::uint64_t> keys = take_keys(file, in, n, [](std::uint64_t key) {
     const NormalCounts::Key k{key};
     return k.material() <= 255 && TexelKeys::is_key(k.texel());
@@ -165,7 +168,7 @@ NormalCounts take_exact(const FileRef& file, Numbers& in) {
 NormalCounts take_bins(const FileRef& file, Numbers& in) {
   const int shift = int(in.take("bits that bins are coarser by", 0, NormalBins::kBits));
   const std::uint64_t invalid = in.take("invalid texels", 0, kMostTexels);
-  const std::size_t n = in.take_count("a number of bins", NormalBins::kMost, 5);
+  const std::size_t n = in.take_count("bins", NormalBins::kMost, 5);
   const std::vector<std::uint64_t> keys =
       take_keys(file, in, n, [&](std::uint64_t key) { return NormalBins::is_key(key, shift); });
   std::vector<std::uint64_t> texels(n);
