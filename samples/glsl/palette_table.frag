@@ -5,7 +5,8 @@
 //
 // Draw screen.vert into a table of 256 x ceil(N / 256) texels, RGBA16F: texel (i mod 256, i div 256) becomes the colour
 // of entry i. Again when light, view or object have moved; once for each material, with its interval (section 6).
-// Whatever depends on the normal alone can stand in the place of f: environments, cartoons.
+// Whatever depends on the normal alone can stand in the place of f: environments, cartoons. With `#define BLENDED` an
+// entry is the light reflected on top, and in alpha how bright the diffuse light is, for a base colour between them.
 //
 //   unit 0  palette  RGB32F, nearest, 256 x ceil(N / 256): x y z of each entry, `burnish:palette` of the KTX2 file
 //
@@ -33,12 +34,17 @@ void main() {
   int i = texel.y * 256 + texel.x;
   if (i < entries.x || i >= entries.x + entries.y) discard;
   vec3 n = texelFetch(palette, texel, 0).xyz;
-  vec3 sum = ambient * ambient_color;
+  vec3 diffuse = ambient * ambient_color, specular = vec3(0);
   for (int k = 0; k < light_count; k++) {
     float lit = dot(n, lights[k]);
     if (lit <= 0.0) continue;
     float shine = max(dot(2.0 * lit * n - lights[k], viewer), 0.0);
-    sum += light_colors[k] * (diffuse_color * lit + specular_color * (exponent > 0.0 ? pow(shine, exponent) : 1.0));
+    diffuse += light_colors[k] * diffuse_color * lit;
+    specular += light_colors[k] * specular_color * (exponent > 0.0 ? pow(shine, exponent) : 1.0);
   }
-  color = vec4(sum, 1.0);
+#ifdef BLENDED
+  color = vec4(specular, dot(diffuse, vec3(0.2126, 0.7152, 0.0722)));
+#else
+  color = vec4(diffuse + specular, 1.0);
+#endif
 }

@@ -4,6 +4,7 @@
 //   { path, background, ambient, camera, lights, object: { surface, …, filter, mip }, material, files }
 
 const kTableWidth = 256;  // of colour tables and palettes
+const kTable = { filter: 'linear', wrap: 'clamp' };  // how lookup tables are sampled
 
 class Scene {
   // `shaders`: the text of each file by its name. `antialias` is for eyes; comparisons do without.
@@ -53,55 +54,85 @@ class Scene {
     return Array.from({ length: table.entries }, (_, i) => pixels.slice(4 * i, 4 * i + 3));
   }
 
+  // Program, textures and uniforms of the path.
   async #load() {
-    const { path, files, material = {}, object } = this.scene, lookup = object.filter === 'bilinear' ? 'linear' : 'nearest';
-    const texture = (file, options) => this.#texture(file, { filter: lookup, ...options });
-    const table = (file, wrap = 'clamp') => texture(file, { filter: 'linear', wrap });
-    const base = files.base_color ? await texture(files.base_color, { srgb: true }) : this.#white();
+    const { path } = this.scene;
     this.textures = {};
     this.uniforms = {};
-    let shader = path.replaceAll('-', '_'), defines = '';
-    const take = (name, { texture, coding, domain }) => {
-      this.textures[name] = texture;
-      if (coding) this.uniforms[`${name.replace('_map', '')}_coding`] = coding;
-      if (domain) this.uniforms[`${name}_domain`] = domain;
-    };
-    if (path === 'palette') {
-      const map = readKtx2(files.indexed_map.bytes);
-      this.#prepareTable(map);
-      this.textures = { index_map: this.#indexTexture(map), color_table: this.table.texture };
-      this.uniforms = { bilinear: lookup === 'linear', levels: object.mip === 'linear' ? map.levels.length : 1 };
-    } else if (path === 'normal-map') {
-      take('normal_map', await texture(files.normal_map));
-      this.uniforms.object_space = object.normal_space === 'object';
-    } else if (path.startsWith('strand')) {
-      shader = path === 'strand-bump' ? 'strand_bump' : 'strand';
-      take('direction_map', await texture(files.direction_map));
-      if (shader === 'strand_bump') take('normal_map', files.normal_map ? await texture(files.normal_map) : this.#flat());
-      take('base_color', base);
-      take('strand', await table(files.strand, shader === 'strand' ? 'repeat' : 'clamp'));
-      delete this.uniforms.strand_domain;
-    } else if (path.startsWith('ptm')) {
-      if (path !== 'ptm-brdf') shader = files.map ? 'ptm_lrgb' : 'ptm_rgb';
-      take('light_factor', files.light_factor ? await table(files.light_factor) : this.#white());
-      delete this.uniforms.light_factor_domain;
-      if (files.map) this.#ptm(readPtm(files.map.bytes), lookup);
-      else defines = await this.#ptmTextures(files, path === 'ptm-brdf' ? { filter: 'linear', wrap: 'clamp' } : {}, lookup);
-    } else {
-      if (path === 'banks-approximate') [shader, defines] = ['banks', '#define APPROXIMATE\n'];
-      if (path === 'blinn-phong-eq1') [shader, defines] = ['blinn_phong', '#define EQUATION_1\n'];
-      for (const which of ['t', 'b', 'n']) {
-        const map = await texture(files[which]);
-        this.textures[`${which}_map`] = map.texture;
-        const numbers = (key, otherwise) => Object.assign([0, 0, 0, 0].fill(otherwise), map.attributes[key]);
-        this.uniforms[`${which}_scale`] = numbers('burnish:scale', 1);
-        this.uniforms[`${which}_bias`] = numbers('burnish:bias', 0);
-      }
-      take('base_color', base);
-      for (const name of ['banks_r', 'blinn_phong_f', 'ward_s', 'ward_e']) if (files[name]) take(name, await table(files[name]));
-    }
+    const { shader, defines } = await (
+      path === 'palette' ? this.#loadPalette(this.scene)
+      : path === 'normal-map' ? this.#loadNormalMap(this.scene)
+      : path.startsWith('strand') ? this.#loadStrand(this.scene)
+      : path.startsWith('ptm') ? this.#loadPtm(this.scene)
+      : this.#loadMaterial(this.scene));
     this.program = this.#program('surface.vert', `${shader}.frag`, defines);
   }
+
+  async #loadPalette({ files, object }) {
+    const map = readKtx2(files.indexed_map.bytes), blend = object.blend ?? (files.base_color ? 'exact' : 'material');
+    const blended = blend !== 'material';
+    this.#prepareTable(map, blended ? '#define BLENDED\n' : '');
+    Object.assign(this.textures, { index_map: this.#indexTexture(map), color_table: this.table.texture });
+    if (blended) await this.#takeBase();
+    this.uniforms = { bilinear: object.filter === 'bilinear', levels: object.mip === 'linear' ? map.levels.length : 1 };
+    return { shader: 'palette', defines: blended ? `#define ${blend.toUpperCase()}\n` : '' };
+  }
+
+  async #loadNormalMap({ files, object }) {
+    await this.#take('normal_map', files.normal_map);
+    this.uniforms.object_space = object.normal_space === 'object';
+    return { shader: 'normal_map' };
+  }
+
+  async #loadStrand({ path, files }) {
+    const bumpy = path.startsWith('strand-bump');
+    await this.#take('direction_map', files.direction_map);
+    if (bumpy) await this.#take('normal_map', files.normal_map);
+    await this.#takeBase();
+    await this.#take('strand', files.strand, { filter: 'linear', wrap: bumpy ? 'clamp' : 'repeat' });
+    return { shader: bumpy ? 'strand_bump' : 'strand' };
+  }
+
+  async #loadPtm({ path, files }) {
+    if (files.light_factor) await this.#take('light_factor', files.light_factor, kTable);
+    else this.textures.light_factor = this.#white();
+    if (files.map) {
+      this.#takePtm(readPtm(files.map.bytes));
+      return { shader: 'ptm_lrgb' };
+    }
+    const { parameters } = await this.#takePtmTextures(files, path === 'ptm-brdf' ? kTable : {});
+    return { shader: path === 'ptm-brdf' ? 'ptm_brdf' : 'ptm_rgb', defines: parameters === 'light-view' ? '#define LIGHT_VIEW\n' : '' };
+  }
+
+  async #loadMaterial({ path, files }) {
+    for (const which of ['t', 'b', 'n']) {
+      const { attributes } = await this.#take(`${which}_map`, files[which]);
+      const numbers = (key, otherwise) => Object.assign([0, 0, 0, 0].fill(otherwise), attributes[key]);
+      this.uniforms[`${which}_scale`] = numbers('burnish:scale', 1);
+      this.uniforms[`${which}_bias`] = numbers('burnish:bias', 0);
+    }
+    await this.#takeBase();
+    for (const name of ['banks_r', 'blinn_phong_f', 'ward_s', 'ward_e']) if (files[name]) await this.#take(name, files[name], kTable);
+    if (path === 'banks-approximate') return { shader: 'banks', defines: '#define APPROXIMATE\n' };
+    if (path === 'blinn-phong-eq1') return { shader: 'blinn_phong', defines: '#define EQUATION_1\n' };
+    return { shader: path.replace('-', '_') };
+  }
+
+  // A file's texture, filtered as the scene's object says unless `options` do, with what shaders want to know of it.
+  async #take(name, file, options = {}) {
+    const taken = await this.#texture(file, { filter: this.filter, ...options });
+    this.textures[name] = taken.texture;
+    this.uniforms[`${name.replace('_map', '')}_coding`] = taken.coding;
+    this.uniforms[`${name}_domain`] = taken.domain;
+    return taken;
+  }
+
+  async #takeBase() {
+    if (this.scene.files.base_color) await this.#take('base_color', this.scene.files.base_color, { srgb: true });
+    else this.textures.base_color = this.#white();
+  }
+
+  get filter() { return this.scene.object.filter === 'bilinear' ? 'linear' : 'nearest'; }
 
   #program(vertex, fragment, defines = '') {
     const { gl } = this, program = gl.createProgram();
@@ -188,13 +219,11 @@ class Scene {
     return { texture, attributes, coding: [2, -1] };
   }
 
-  #oneTexel(rgba, coding) {
+  #white() {
     const { gl } = this, texture = this.#newTexture('nearest');
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(rgba));
-    return { texture, coding };
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 255, 255, 255]));
+    return texture;
   }
-  #white() { return { texture: this.#oneTexel([255, 255, 255, 255]).texture }; }
-  #flat() { return this.#oneTexel([0, 0, 255, 255], [1, 0]); }
 
   #indexTexture({ bytes, levels }) {
     const { gl } = this, texture = this.#newTexture('nearest');
@@ -205,7 +234,7 @@ class Scene {
     return texture;
   }
 
-  #prepareTable({ palette, materials, space }) {
+  #prepareTable({ palette, materials }, defines) {
     const { gl } = this, entries = palette.length / 3, rows = Math.ceil(entries / kTableWidth);
     const padded = new Float32Array(3 * kTableWidth * rows);
     padded.set(palette);
@@ -216,7 +245,7 @@ class Scene {
     gl.bindFramebuffer(gl.FRAMEBUFFER, target);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
     if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) throw Error('half floats cannot be rendered to here');
-    this.table = { entries, rows, normals, texture, target, materials, space, program: this.#program('screen.vert', 'palette_table.frag') };
+    this.table = { entries, rows, normals, texture, target, materials, program: this.#program('screen.vert', 'palette_table.frag', defines) };
   }
 
   // Light and view as they are at the object's origin, in the object's space.
@@ -243,10 +272,10 @@ class Scene {
     }
   }
 
-  #ptm({ width, height, scale, bias, ...planes }, filter) {
+  #takePtm({ width, height, scale, bias, ...planes }) {
     const { gl } = this;
     for (const name of ['abc', 'def', 'rgb']) {
-      this.textures[name] = this.#newTexture(filter);
+      this.textures[name] = this.#newTexture(this.filter);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, width, height, 0, gl.RGB, gl.UNSIGNED_BYTE, planes[name]);
     }
     Object.assign(this.uniforms, {
@@ -254,16 +283,18 @@ class Scene {
     });
   }
 
-  // Six PNG and their ptm.json.
-  async #ptmTextures(files, options, filter) {
+  // Six PNG and their ptm.json, which comes back.
+  async #takePtmTextures(files, options) {
     for (const which of ['abc', 'def']) {
       this.textures[which] = [];
-      for (const colour of ['red', 'green', 'blue'])
-        this.textures[which].push((await this.#texture(files[`${which}_${colour}`], { filter, ...options })).texture);
+      for (const colour of ['red', 'green', 'blue']) {
+        const { texture } = await this.#texture(files[`${which}_${colour}`], { filter: this.filter, ...options });
+        this.textures[which].push(texture);
+      }
     }
     const json = JSON.parse(text(files.ptm.bytes));
     for (const key of ['abc_scale', 'abc_bias', 'def_scale', 'def_bias', 'noise_factor']) this.uniforms[key] = json[key];
-    return json.parameters === 'light-view' ? '#define LIGHT_VIEW\n' : '';
+    return json;
   }
 }
 

@@ -11,7 +11,7 @@ needs_browser() {
 }
 
 gallery() { "$PYTHON3" "$BURNISH_SOURCE_DIR/scripts/gallery" "$@"; }
-look() { timeout 100 node "$BURNISH_SOURCE_DIR/tests/cli/gallery.mjs" "$@"; }
+look() { timeout 300 node "$BURNISH_SOURCE_DIR/tests/cli/gallery.mjs" "$@"; }
 
 # Samples as scripts/demo makes them, but such as take no time: small stones, a sphere for the object, polynomials of the plaque's
 # name; and their page.
@@ -108,6 +108,14 @@ $2
 $material"; }
   of_one_material palette 'indexed_map = "few.ktx2"' >few.toml
   ours few
+  make_image rgba 64 48 base.png
+  for blend in exact approximate; do
+    of_one_material palette "indexed_map = \"few.ktx2\"
+base_color_map = \"base.png\"
+filter = \"bilinear\"
+blend = \"$blend\"" >blended-$blend.toml
+    ours blended-$blend
+  done
   # Four materials; object space; levels.
   {
     cat <<'TOML'

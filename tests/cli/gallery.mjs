@@ -35,14 +35,14 @@ const coloursOf = (figure) => figure.$eval('.stage canvas', (canvas) => {
 });
 
 const changed = (figure, old) => page.waitForFunction(
-  ([f, was]) => f.querySelector('.stage canvas').toDataURL() !== was, [figure, old], { timeout: 5000 });
+  ([f, was]) => f.querySelector('.stage canvas').toDataURL() !== was, [figure, old], { timeout: 30000 });
 
 if (what === 'use') {
   const figures = await page.$$('.live');
   assert.equal(figures.length, 3);
   for (const figure of figures) {
     await figure.scrollIntoViewIfNeeded();
-    await page.waitForFunction((f) => 'ready' in f.dataset, figure, { timeout: 20000 });
+    await page.waitForFunction((f) => 'ready' in f.dataset, figure, { timeout: 60000 });
     const id = await figure.getAttribute('id'), before = await canvasOf(figure);
     assert(await coloursOf(figure) > 100, `${id} is empty`);
     const box = await (await figure.$('.stage')).boundingBox();
@@ -76,7 +76,7 @@ if (what === 'use') {
 }
 
 if (what === 'without-webgl') {
-  await page.waitForSelector('#without-webgl:not([hidden])', { timeout: 10000 });
+  await page.waitForSelector('#without-webgl:not([hidden])', { timeout: 60000 });
   assert((await page.textContent('#without-webgl')).includes('WebGL'));
   assert(await page.$eval('.compare img', (i) => i.naturalWidth > 0));
   complaints.length = 0;  // Chromium's own, of the context it could not make
