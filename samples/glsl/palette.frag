@@ -2,8 +2,8 @@
 // Quantized normal map, second of two passes: index -> colour, by the table that palette_table.frag has shaded (Tarini
 // et al. 2000, section 5.1). Colours are filtered, never indices: an index between two normals is no normal.
 //
-// With `#define EXACT` or `#define APPROXIMATE`, and `#define BLENDED` in the first pass, a base colour c is blended with
-// the brightness a of the diffuse light and what is reflected on top, s (section 7):
+// With `#define EXACT` or `#define APPROXIMATE`, and `#define BLENDED` in the first pass, a base colour c is blended
+// with the brightness a of the diffuse light and what is reflected on top, s (section 7):
 //
 //   exact        c a + (1 - c a) s
 //   approximate  c a + (1 - c) s
