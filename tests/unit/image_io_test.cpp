@@ -248,6 +248,24 @@ TEST(ImageIo, ContentAndNotTheNameSaysWhatAFileIs) {
   expect_same(read_image(dir / "ascii.dat").data, {0, 51 / 255.f, 102 / 255.f, 1}, "a PGM named .dat");
 }
 
+// As TIFF files beyond 4 GB are: offsets of 64 bits.
+TEST(ImageIo, ABigTiffIsATiff) {
+  const ScratchDir dir;
+  std::string file("II+\0\x08\0\0\0\x10\0\0\0\0\0\0\0", 16);
+  const auto append = [&](std::uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; i++) file += char(value >> 8 * i);
+  };
+  const std::pair<int, std::uint64_t> tags[] = {{256, 2}, {257, 1}, {258, 8}, {259, 1}, {262, 1},
+                                                {273, 0}, {277, 1}, {278, 1}, {279, 2}};
+  const std::uint64_t texels_at = 16 + 8 + 20 * std::size(tags) + 8;
+  append(std::size(tags), 8);
+  for (const auto& [tag, value] : tags)
+    append(tag, 2), append(16, 2), append(1, 8), append(tag == 273 ? texels_at : value, 8);
+  append(0, 8);
+  write_bytes(dir / "big.tif", file + "\x33\xff");
+  EXPECT_EQ(read_image(dir / "big.tif").data, (std::vector<float>{51 / 255.f, 1.f}));
+}
+
 TEST(ImageIo, WhatCannotBeReadSaysWhy) {
   const ScratchDir dir;
   EXPECT_ERROR(read_image(dir / "missing.png"), ErrorKind::kIo, "missing.png': cannot be read");

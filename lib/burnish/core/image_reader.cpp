@@ -27,7 +27,8 @@ std::string codec_from_signature(const FileRef& file) {
   if (in.gcount() == 0) throw file_error(ErrorKind::kMalformed, file.name, "expected an image, got an empty file");
   if (h.starts_with("\x89PNG")) return "png";
   if (h.starts_with("\xff\xd8\xff")) return "jpeg";
-  if (h.starts_with(std::string_view("II*\0", 4)) || h.starts_with(std::string_view("MM\0*", 4))) return "tiff";
+  for (const char* tiff : {"II*\0", "MM\0*", "II+\0", "MM\0+"})  // the latter two beyond 4 GB
+    if (h.starts_with(std::string_view(tiff, 4))) return "tiff";
   if (h.starts_with("v/1\x01")) return "openexr";
   if (h.starts_with("BM")) return "bmp";
   if (h.starts_with("#?")) return "hdr";

@@ -29,7 +29,7 @@ bool is_read_whole(const FileRef& file) {
   std::ifstream(file.path, std::ios::binary).read(head, sizeof head);
   const std::string_view h(head, sizeof head);
   if (h.starts_with("\x89PNG")) return h[28] != 0;
-  return !h.starts_with("II*") && !h.starts_with("MM") && !h.starts_with("v/1\x01") && !h.starts_with("BM");
+  return !h.starts_with("II") && !h.starts_with("MM") && !h.starts_with("v/1\x01") && !h.starts_with("BM");
 }
 
 class ImagePhoto : public Photo {
