@@ -392,5 +392,25 @@ TEST(ImageIo, MaterialIdsAreOneChannelOfEightBits) {
   EXPECT_ERROR(read_ids(dir / "i.png", 3, 1), ErrorKind::kMalformed, "1 channel");
 }
 
+TEST(ImageWriter, TheSameBytesHoweverRowsCome) {
+  const ScratchDir dir;
+  Image image(37, 211, 3);
+  for (std::size_t i = 0; i < image.data.size(); i++) image.data[i] = float(i * 7 % 256) / 255;
+  for (const std::string type : {"png", "tif", "exr"}) {
+    const FileType file_type = file_type_of("x." + type);
+    write_image(dir / "whole." + type, file_type, default_sample_type(file_type), image);
+    for (const std::vector<int>& counts : {std::vector{1}, {63, 1, 130}, {64, 100}, {5, 200}}) {
+      ImageWriter writer(dir / "rows." + type, file_type, default_sample_type(file_type), 37, 211, 3);
+      for (int y = 0, n = 0; y < image.height; n++) {
+        const int count = std::min(counts[n % counts.size()], image.height - y);
+        writer.write_rows(count, image.row(y));
+        y += count;
+      }
+      writer.close();
+      EXPECT_EQ(bytes_of(dir / "rows." + type), bytes_of(dir / "whole." + type)) << type << " by " << counts[0];
+    }
+  }
+}
+
 }  // namespace
 }  // namespace burnish

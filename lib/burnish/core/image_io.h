@@ -65,6 +65,7 @@ class ImageWriter {
   ImageWriter(const FileRef& file, FileType type, SampleType sample, int width, int height, int channels,
               const Attributes& attributes = {}, const std::vector<std::string>& channel_names = {});
   ~ImageWriter();
+  ImageWriter(ImageWriter&&) noexcept;
 
   // The next `count` rows. Floats are converted to the file's samples: integers by round half up of the clamped value.
   void write_rows(int count, const float* rows);

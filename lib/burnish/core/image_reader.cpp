@@ -51,10 +51,10 @@ struct ImageReader::Impl {
   std::unique_ptr<OIIO::ImageInput> in;
   OIIO::ImageSpec spec;
   std::string codec;
-  // Of a tiled file, the row of tiles that was read last.
+  // Of a tiled file, the row of tiles that was read last, as stored: so it takes the least room.
   std::vector<std::byte> tiles;
   int tiles_first = -1;
-  OIIO::TypeDesc tiles_type;
+  OIIO::TypeDesc tiles_type;  // float where channels are of several types
 
   [[noreturn]] void fail() {
     const std::string what = codec_message(in ? in->geterror() : OIIO::geterror(), file);
@@ -78,24 +78,29 @@ struct ImageReader::Impl {
         fail();
       return;
     }
+    const std::size_t row_samples = std::size_t(spec.width) * spec.nchannels;
     for (int y = first; y < first + count;) {
       const int tile_first = y / spec.tile_height * spec.tile_height;
-      const int tile_end = std::min(tile_first + spec.tile_height, spec.height);
-      if (tile_first != tiles_first || tiles_type != type) {
-        tiles.resize(row_bytes * spec.tile_height);
-        tiles_first = -1;
-        if (!in->read_tiles(0, 0, spec.x, spec.x + spec.width, y0 + tile_first, y0 + tile_end, 0, 1, 0, spec.nchannels,
-                            type, tiles.data()) ||
-            in->has_error())
-          fail();
-        tiles_first = tile_first;
-        tiles_type = type;
-      }
-      const int end = std::min(first + count, tile_end);
-      std::memcpy(static_cast<std::byte*>(out) + row_bytes * (y - first), tiles.data() + row_bytes * (y - tile_first),
-                  row_bytes * (end - y));
+      if (tile_first != tiles_first) read_tiles(tile_first);
+      const int end = std::min({first + count, tile_first + spec.tile_height, spec.height});
+      const std::byte* from = tiles.data() + row_samples * tiles_type.size() * (y - tile_first);
+      std::byte* to = static_cast<std::byte*>(out) + row_bytes * (y - first);
+      if (type == tiles_type) std::memcpy(to, from, row_bytes * (end - y));
+      else OIIO::convert_pixel_values(tiles_type, from, type, to, int(row_samples * (end - y)));
       y = end;
     }
+  }
+
+  void read_tiles(int first) {
+    const int end = std::min(first + spec.tile_height, spec.height);
+    tiles_type = spec.channelformats.empty() ? spec.format : OIIO::TypeDesc(OIIO::TypeDesc::FLOAT);
+    tiles.resize(std::size_t(spec.width) * spec.nchannels * tiles_type.size() * spec.tile_height);
+    tiles_first = -1;
+    if (!in->read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + first, spec.y + end, 0, 1, 0, spec.nchannels,
+                        tiles_type, tiles.data()) ||
+        in->has_error())
+      fail();
+    tiles_first = first;
   }
 };
 

@@ -17,8 +17,31 @@ struct ImageWriter::Impl {
   SampleType sample;
   int next = 0;
   std::vector<std::byte> converted;
+  std::vector<std::byte> pending;  // rows that have come, fewer than kAtOnce
 
+  // Codecs compress strips of rows that they get whole side by side, and other ones to other bytes: so they get
+  // multiples of 64 rows, however these come.
+  static constexpr int kAtOnce = 64;
+
+  // Rows of one file are all of one type.
   void write(int count, const void* rows, OIIO::TypeDesc type) {
+    const std::size_t row_bytes = std::size_t(spec.width) * spec.nchannels * type.size();
+    const std::byte* from = static_cast<const std::byte*>(rows);
+    while (count > 0) {
+      const int have = int(pending.size() / row_bytes), left = spec.height - next;
+      int some = std::min(have + count, left);
+      if (some < left) some = some / kAtOnce * kAtOnce;  // that can be put now
+      if (have == 0 && some > 0) {
+        put(some, from, type);
+      } else {
+        some = std::min(count, std::min(kAtOnce, left) - have);
+        pending.insert(pending.end(), from, from + some * row_bytes);
+        if (have + some == std::min(kAtOnce, left)) put(have + some, pending.data(), type), pending.clear();
+      }
+      from += some * row_bytes, count -= some;
+    }
+  }
+  void put(int count, const void* rows, OIIO::TypeDesc type) {
     out.require(out.image().write_scanlines(next, next + count, 0, type, rows));
     next += count;
   }
@@ -27,13 +50,14 @@ struct ImageWriter::Impl {
 ImageWriter::ImageWriter(const FileRef& file, FileType type, SampleType sample, int width, int height, int channels,
                          const Attributes& attributes, const std::vector<std::string>& channel_names) {
   require_can_hold(type, sample, file.name);
-  impl_.reset(new Impl{detail::CheckedOutput(file, type), {}, sample, 0, {}});
+  impl_.reset(new Impl{detail::CheckedOutput(file, type), {}, sample, 0, {}, {}});
   impl_->spec = impl_->out.spec(sample, width, height, channels, attributes);
   if (!channel_names.empty()) impl_->spec.channelnames = channel_names;
   impl_->out.open(impl_->spec);
 }
 
 ImageWriter::~ImageWriter() = default;
+ImageWriter::ImageWriter(ImageWriter&&) noexcept = default;
 
 void ImageWriter::write_rows(int count, const float* rows) {
   const std::size_t samples = std::size_t(count) * impl_->spec.width * impl_->spec.nchannels;

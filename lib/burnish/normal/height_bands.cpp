@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "burnish/core/band_rows.h"
 #include "burnish/core/error.h"
 #include "burnish/normal/height_texels.h"
 
@@ -16,9 +17,7 @@ HeightBands::HeightBands(const FileRef& file, const HeightMapOptions& options, i
     mask_.emplace(options.mask);
     mask_->require_size(width(), height(), "the height map");
   }
-  const std::size_t row_bytes = std::size_t(width()) * 4;
-  // Multiples of 64 rows end where strips and tiles of the usual sizes end.
-  band_rows_ = int(std::clamp<std::size_t>((2 << 20) / row_bytes / 64 * 64, 64, 4096));
+  band_rows_ = band_rows(width());
   const bool whole_in_window = height() <= band_rows_ + radius_;
   if (options.wrap_v == Wrap::kRepeat && !whole_in_window) {  // the first band needs the last rows
     ImageReader again(file);
