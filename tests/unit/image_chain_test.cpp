@@ -7,6 +7,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "burnish/core/mip.h"
@@ -78,6 +79,34 @@ TEST(ImageChain, SameBytesAgain) {
   for (const char* name : {"a.exr", "b.exr"})
     write_image_chain(dir / name, SampleType::kFloat, some_levels(130, 70, 3), {{"burnish:model", "ward"}});
   EXPECT_EQ(bytes_of(dir / "a.exr"), bytes_of(dir / "b.exr"));
+}
+
+// However the rows of levels come, the file is the same, and nothing is left beside it.
+TEST(ImageChain, RowsOfLevelsMayTakeTurns) {
+  const ScratchDir dir;
+  const std::pair<int, int> sizes[] = {{1, 1}, {5, 3}, {127, 65}, {200, 333}};
+  for (const auto& [w, h] : sizes)
+    for (const SampleType sample : {SampleType::kHalf, SampleType::kFloat}) {
+      const std::vector<Image> levels = some_levels(w, h, 3);
+      write_image_chain(dir / "whole.exr", sample, levels);
+      for (const int at_once : {1, 7, 64, 150}) {
+        ImageChainWriter writer(dir / "rows.exr", sample, w, h, 3, int(levels.size()));
+        std::vector<int> next(levels.size());
+        for (bool more = true; more;) {
+          more = false;
+          for (std::size_t l = 0; l < levels.size(); l++) {
+            const int count = std::min(at_once, levels[l].height - next[l]);
+            if (count == 0) continue;
+            writer.write_rows(int(l), count, levels[l].row(next[l]));
+            next[l] += count;
+            more = true;
+          }
+        }
+        writer.close();
+        EXPECT_EQ(bytes_of(dir / "rows.exr"), bytes_of(dir / "whole.exr")) << w << "x" << h << ", " << at_once;
+      }
+    }
+  EXPECT_EQ(dir.entries(), 2u);
 }
 
 TEST(ImageChain, OtherFilesHaveOneLevel) {

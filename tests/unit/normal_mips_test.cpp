@@ -1,11 +1,14 @@
 #include "burnish/normal/normal_mips.h"
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "burnish/core/mip.h"
 #include "burnish/core/mip_average.h"
 #include "expect_error.h"
 #include "on_threads.h"
@@ -27,10 +30,51 @@ Image random_normals(int width, int height, unsigned seed = 1) {
   return normals;
 }
 
-NormalMips mips_of(const Image& normals, int levels = 0, const NormalCoding& coding = {}) {
+// All rows of all levels.
+struct Levels {
+  std::vector<Image> means, alphas;
+};
+
+Levels made(NormalMips& mips) {
+  Levels all;
+  const auto add = [](std::vector<Image>& to, int level, int first, const Image& rows) {
+    if (level >= int(to.size())) to.resize(level + 1);
+    Image& of = to[level];
+    EXPECT_EQ(of.height, first) << "level " << level;
+    of.width = rows.width, of.channels = rows.channels, of.height += rows.height;
+    of.data.insert(of.data.end(), rows.data.begin(), rows.data.end());
+  };
+  mips.make([&](const NormalMips::Rows& rows) {
+    add(all.means, rows.level, rows.first, rows.means);
+    if (!rows.alphas.data.empty()) add(all.alphas, rows.level, rows.first, rows.alphas);
+  });
+  return all;
+}
+
+std::vector<Image> means_of(const Image& normals) {
   const ScratchDir dir;
   write_image(dir / "n.exr", FileType::kExr, SampleType::kFloat, normals);
-  return build_normal_mips(dir / "n.exr", coding, levels);
+  NormalMips mips(dir / "n.exr", {}, 0);
+  return made(mips).means;
+}
+
+std::vector<Image> alphas_of(const Image& normals, const Image& alpha) {
+  const ScratchDir dir;
+  write_image(dir / "n.exr", FileType::kExr, SampleType::kFloat, normals);
+  write_image(dir / "a.exr", FileType::kExr, SampleType::kFloat, alpha);
+  NormalMips mips(dir / "n.exr", {}, 0);
+  mips.add_roughness("roughness", {0, dir / "a.exr"});
+  return made(mips).alphas;
+}
+
+struct EncodedNormals {
+  Image image;
+  double rms_deg;
+};
+EncodedNormals encoded_level(const Image& means, const NormalCoding& coding, SampleType sample) {
+  NormalLevelEncoder encoder(coding, sample);
+  Image image = encoder.encode(means);
+  return {std::move(image), encoder.rms_deg()};
 }
 
 Vec3d vector_at(const Image& image, int x, int y) {
@@ -48,37 +92,91 @@ TEST(MipAverage, IsTheWeightedMeanOfEachChannel) {
   EXPECT_FLOAT_EQ(coarse.data[1], 40);
 }
 
+// However rows come, each level's rows are those of the whole level above.
+TEST(MeanCascade, IsNextMeanLevelByRows) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> value(-1, 1);
+  for (const auto& [width, height] : {std::pair{1, 1}, {5, 3}, {127, 65}, {64, 32}, {1, 9}, {9, 1}, {3, 255}})
+    for (const int at_once : {1, 2, 3, 7, 64, 1000}) {
+      Image base(width, height, 2);
+      for (float& v : base.data) v = value(random);
+      const int count = level_count(width, height);
+      std::vector<std::vector<float>> rows(count);
+      MeanCascade cascade(width, height, 2, count, [&](int l, int first, int rows_now, const float* from) {
+        const std::size_t row_size = std::size_t(level_size(width, l)) * 2;
+        EXPECT_EQ(rows[l].size(), first * row_size);
+        rows[l].insert(rows[l].end(), from, from + rows_now * row_size);
+      });
+      for (int y = 0; y < height; y += at_once) cascade.add(std::min(at_once, height - y), base.row(y));
+      Image level = base;
+      for (int l = 0; l < count; l++) {
+        EXPECT_EQ(rows[l], level.data) << width << "x" << height << ", " << at_once << " at once, level " << l;
+        level = next_mean_level(level);
+      }
+    }
+}
+
 // Of a power of two a level is the plain mean of blocks; of odd sizes the coarsest is the mean of all.
 TEST(NormalMips, LevelsAreMeansOfTheBase) {
   const Image base = random_normals(16, 8);
-  const NormalMips mips = mips_of(base);
-  ASSERT_EQ(mips.means.size(), 5u);
+  const std::vector<Image> means = means_of(base);
+  ASSERT_EQ(means.size(), 5u);
   Vec3d sum;
   for (int y = 4; y < 8; y++)
     for (int x = 8; x < 12; x++) sum += vector_at(base, x, y) / 16.0;
-  EXPECT_NEAR(length(vector_at(mips.means[2], 2, 1) - sum), 0, 1e-6);
+  EXPECT_NEAR(length(vector_at(means[2], 2, 1) - sum), 0, 1e-6);
   for (const auto& [width, height] : {std::pair{7, 5}, {1, 9}, {13, 2}}) {
     const Image odd = random_normals(width, height);
     Vec3d mean;
     for (int y = 0; y < height; y++)
       for (int x = 0; x < width; x++) mean += vector_at(odd, x, y) / double(odd.texels());
-    EXPECT_NEAR(length(vector_at(mips_of(odd).means.back(), 0, 0) - mean), 0, 1e-6) << width << "x" << height;
+    EXPECT_NEAR(length(vector_at(means_of(odd).back(), 0, 0) - mean), 0, 1e-6) << width << "x" << height;
+  }
+}
+
+// From files in tiles and in rows, of one band and of many: each level is the mean of the whole one above.
+TEST(NormalMips, AreTheSameFromTilesAndFromRows) {
+  const ScratchDir dir;
+  const std::pair<int, int> sizes[] = {{1, 1}, {5, 3}, {127, 65}, {3, 9001}, {9000, 70}};
+  for (const auto& [w, h] : sizes) {
+    const Image base = random_normals(w, h);
+    for (const char* file : {"n.exr", "n.tif"})
+      for (const int tile : {0, 16, 64}) {
+        OIIO::ImageSpec spec(w, h, 3, OIIO::TypeDesc::FLOAT);
+        spec.tile_width = spec.tile_height = tile;
+        spec.attribute("compression", "zip");
+        const auto out = OIIO::ImageOutput::create(dir / file);
+        ASSERT_TRUE(out && out->open(dir / file, spec) && out->write_image(OIIO::TypeDesc::FLOAT, base.data.data()));
+        ASSERT_TRUE(out->close());
+        NormalMips mips(dir / file, {}, 0);
+        const std::vector<Image> means = made(mips).means;
+        ASSERT_EQ(int(means.size()), level_count(w, h));
+        Image level = base;
+        for (std::size_t i = 0; i < base.texels(); i++) {  // what a reader makes of what is nearly unit
+          const Vec3f n(normalized(Vec3d(base.data[3 * i], base.data[3 * i + 1], base.data[3 * i + 2])));
+          std::copy_n(&n.x, 3, &level.data[3 * i]);
+        }
+        for (std::size_t l = 0; l < means.size(); l++) {
+          EXPECT_EQ(means[l].data, level.data) << w << "x" << h << " " << file << " tile " << tile << " level " << l;
+          level = next_mean_level(level);
+        }
+      }
   }
 }
 
 TEST(NormalMips, EncodedLevelsAreUnitVectorsAndSayWhatStoringCosts) {
-  const NormalMips mips = mips_of(random_normals(8, 8));
+  const std::vector<Image> means = means_of(random_normals(8, 8));
   for (const GreenAxis green : {GreenAxis::kUp, GreenAxis::kDown})
     for (int l : {0, 2}) {
       NormalCoding coding;
       coding.green = green;
-      const EncodedNormals exact = encoded_level(mips, l, coding, SampleType::kFloat);
-      Vec3d mean = normalized(vector_at(mips.means[l], 1, 0));
+      const EncodedNormals exact = encoded_level(means[l], coding, SampleType::kFloat);
+      Vec3d mean = normalized(vector_at(means[l], 1, 0));
       if (green == GreenAxis::kDown) mean.y = -mean.y;
       EXPECT_NEAR(length(vector_at(exact.image, 1, 0) - mean), 0, 1e-6);
       EXPECT_LT(exact.rms_deg, 1e-5);
       // A step of 1/255 in three biased components: √(3/12)·2/255 rad for the vector, less along it.
-      const EncodedNormals bytes = encoded_level(mips, l, coding, SampleType::kUint8);
+      const EncodedNormals bytes = encoded_level(means[l], coding, SampleType::kUint8);
       EXPECT_GT(bytes.rms_deg, 0.1);
       EXPECT_LT(bytes.rms_deg, 0.3);
       EXPECT_GE(*std::ranges::min_element(bytes.image.data), 0);
@@ -88,7 +186,7 @@ TEST(NormalMips, EncodedLevelsAreUnitVectorsAndSayWhatStoringCosts) {
 TEST(NormalMips, NormalsThatCancelOutPointUp) {
   Image base(2, 1, 3);
   base.data = {1, 0, 0, -1, 0, 0};
-  const EncodedNormals top = encoded_level(mips_of(base), 1, {}, SampleType::kFloat);
+  const EncodedNormals top = encoded_level(means_of(base)[1], {}, SampleType::kFloat);
   EXPECT_EQ(top.image.data, (std::vector<float>{0, 0, 1}));
 }
 
@@ -99,7 +197,7 @@ TEST(NormalMips, RoughnessGainsTheVarianceOfTheNormals) {
   base.data = {s, 0, c, -s, 0, c, s, 0, c, -s, 0, c};
   Image alpha(2, 2);
   alpha.data = {0.1f, 0.2f, 0.3f, 0.4f};
-  const std::vector<Image> levels = roughness_levels(mips_of(base), alpha);
+  const std::vector<Image> levels = alphas_of(base, alpha);
   ASSERT_EQ(levels.size(), 2u);
   EXPECT_EQ(levels[0].data, alpha.data);
   EXPECT_NEAR(levels[1].data[0], std::sqrt(0.075 + 2 * (1 - 0.8) / 0.8), 1e-6);
@@ -108,7 +206,7 @@ TEST(NormalMips, RoughnessGainsTheVarianceOfTheNormals) {
 TEST(NormalMips, AFlatMapKeepsItsRoughness) {
   Image base(9, 6, 3), alpha(9, 6);
   for (std::size_t i = 0; i < base.texels(); i++) base.data[3 * i + 2] = 1, alpha.data[i] = 0.2f;
-  for (const Image& level : roughness_levels(mips_of(base), alpha))
+  for (const Image& level : alphas_of(base, alpha))
     for (const float v : level.data) EXPECT_NEAR(v, 0.2f, 1e-6);
 }
 
@@ -122,16 +220,20 @@ TEST(NormalMips, RoughnessIsLeanMappingsForSmallSlopes) {
     std::copy_n(&n.x, 3, &base.data[3 * i]);
     alpha.data[i] = 0.1f;
   }
-  const float got = roughness_levels(mips_of(base), alpha).back().data[0];
+  const float got = alphas_of(base, alpha).back().data[0];
   EXPECT_NEAR(got * got, 0.01 + 2 * 0.05 * 0.05, 2e-4);
 }
 
 TEST(NormalMips, RoughnessAsANumberOrAMap) {
   const ScratchDir dir;
-  const NormalMips mips = mips_of(random_normals(4, 3));
+  write_image(dir / "n.exr", FileType::kExr, SampleType::kFloat, random_normals(4, 3));
   Image alpha(4, 3);
   const auto write = [&] { write_image(dir / "a.exr", FileType::kExr, SampleType::kFloat, alpha); };
-  const auto read = [&](const ParameterSource& source) { return read_roughness("roughness", source, mips, "n.exr"); };
+  const auto read = [&](const ParameterSource& source) {
+    NormalMips mips(dir / "n.exr", {}, 0);
+    mips.add_roughness("roughness", source);
+    return made(mips).alphas[0];
+  };
   const ParameterSource map{0, dir / "a.exr"};
   write();
   EXPECT_EQ(read(map).data, alpha.data);
@@ -152,17 +254,18 @@ TEST(NormalMips, SpaceInvalidTexelsAndLevels) {
   Image base = random_normals(4, 4);
   std::fill_n(base.at(1, 2), 3, 0.f);
   write_image(dir / "n.exr", FileType::kExr, SampleType::kFloat, base, space_attributes(NormalSpace::kObject));
-  const NormalMips mips = build_normal_mips(dir / "n.exr", {}, 2);
-  EXPECT_EQ(mips.means.size(), 2u);
-  EXPECT_EQ(mips.space, NormalSpace::kObject);
-  EXPECT_EQ(mips.invalid_texels, 1u);
-  EXPECT_ERROR(build_normal_mips(dir / "n.exr", {}, 4), ErrorKind::kUsage, "levels: expected 1 to 3");
+  NormalMips mips(dir / "n.exr", {}, 2);
+  EXPECT_EQ(mips.levels(), 2);
+  EXPECT_EQ(made(mips).means.size(), 2u);
+  EXPECT_EQ(mips.space(), NormalSpace::kObject);
+  EXPECT_EQ(mips.invalid_texels(), 1u);
+  EXPECT_ERROR(NormalMips(dir / "n.exr", {}, 4), ErrorKind::kUsage, "levels: expected 1 to 3");
 }
 
 TEST(NormalMips, TheSameForAnyThreadCount) {
   const Image base = random_normals(131, 97);
-  const auto made = [&] { return mips_of(base).means.back().data; };
-  EXPECT_EQ(on_threads(1, made), on_threads(4, made));
+  const auto top = [&] { return means_of(base).back().data; };
+  EXPECT_EQ(on_threads(1, top), on_threads(4, top));
 }
 
 }  // namespace

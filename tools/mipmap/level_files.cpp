@@ -1,5 +1,5 @@
 #include "burnish/core/error.h"
-#include "burnish/core/image_chain.h"
+#include "burnish/core/mip.h"
 #include "mipmap/mipmap.h"
 
 namespace burnish::cli {
@@ -17,7 +17,7 @@ std::string level_name(const std::string& pattern, int level, const std::string&
 }
 
 LevelFiles::LevelFiles(Tool& tool, const ImageOutput& output, int levels)
-    : type_(output.type()), sample_(output.sample()), levels_(levels), chain_(true), files_{tool.write(output.path)} {
+    : type_(output.type()), sample_(output.sample()), levels_(levels), files_{tool.write(output.path)} {
   if (type_ != FileType::kExr && levels > 1)
     throw file_error(ErrorKind::kUnsupported, files_[0].name,
                      std::string(burnish::name(type_)) + " holds one level, not " + std::to_string(levels) +
@@ -28,21 +28,28 @@ LevelFiles::LevelFiles(Tool& tool, const std::string& pattern, const std::string
                        int levels)
     : type_(output.as.type_of(level_name(pattern, 0, option), option)),
       sample_(output.sample_or(default_sample_type(type_))),
-      levels_(levels),
-      chain_(false) {
+      levels_(levels) {
   require_can_hold(type_, sample_, level_name(pattern, 0, option));
   for (int l = 0; l < levels; l++) files_.push_back(tool.write(level_name(pattern, l, option)));
 }
 
-void LevelFiles::write(const std::function<Image(int)>& image, const Attributes& attributes) const {
-  if (!chain_) {
-    for (int l = 0; l < levels_; l++) write_image(files_[l], type_, sample_, image(l), attributes);
+void LevelFiles::open(int width, int height, int channels, const Attributes& attributes) {
+  if (int(files_.size()) < levels_) {
+    chain_.emplace(files_[0], sample_, width, height, channels, levels_, attributes);
     return;
   }
-  if (type_ != FileType::kExr) return write_image(files_[0], type_, sample_, image(0), attributes);
-  std::vector<Image> levels;
-  for (int l = 0; l < levels_; l++) levels.push_back(image(l));
-  write_image_chain(files_[0], sample_, levels, attributes);
+  for (int l = 0; l < levels_; l++)
+    parts_.emplace_back(files_[l], type_, sample_, level_size(width, l), level_size(height, l), channels, attributes);
+}
+
+void LevelFiles::write_rows(int level, const Image& rows) {
+  if (chain_) chain_->write_rows(level, rows.height, rows.data.data());
+  else parts_[level].write_rows(rows.height, rows.data.data());
+}
+
+void LevelFiles::close() {
+  if (chain_) chain_->close();
+  for (ImageWriter& part : parts_) part.close();
 }
 
 }  // namespace burnish::cli

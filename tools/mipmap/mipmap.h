@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "burnish/core/image_chain.h"
 #include "burnish/normal/coding.h"
 #include "burnish/palette/index_mips.h"
 #include "cli/number_or_map.h"
@@ -47,14 +48,21 @@ class LevelFiles {
 
   const std::string& name() const { return files_[0].name; }  // for messages
   SampleType sample() const { return sample_; }
-  void write(const std::function<Image(int level)>& image, const Attributes& attributes) const;
+
+  // Size and channels of the base. kUnsupported as ImageChainWriter.
+  void open(int width, int height, int channels, const Attributes& attributes);
+  // The next rows of a level; rows of several levels may take turns.
+  void write_rows(int level, const Image& rows);
+  void close();
 
  private:
   FileType type_;
   SampleType sample_;
   int levels_;
-  bool chain_;
-  std::vector<FileRef> files_;
+  std::vector<FileRef> files_;  // one, or as many as levels
+  // Once they are open:
+  std::optional<ImageChainWriter> chain_;
+  std::vector<ImageWriter> parts_;
 };
 
 // Each writes what was asked for and returns the report's stats.

@@ -1,10 +1,18 @@
 #include "burnish/core/image_chain.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
 #include "burnish/core/checked_output.h"
+#include "burnish/core/codecs.h"
 #include "burnish/core/error.h"
 #include "burnish/core/mip.h"
+#include "burnish/core/spill_file.h"
 
 namespace burnish {
+
+using detail::to_oiio;
 
 void require_chain(const FileRef& file, int width, int height, int levels) {
   if (const int all = level_count(width, height); levels != 1 && levels != all)
@@ -12,40 +20,151 @@ void require_chain(const FileRef& file, int width, int height, int levels) {
                      "EXR holds one level or all " + std::to_string(all) + ", not " + std::to_string(levels));
 }
 
-struct ImageChainWriter::Impl {
-  detail::CheckedOutput out;
-  SampleType sample;
-  Attributes attributes;
-  std::vector<std::string> channel_names;
-  bool first = true;
+namespace {
+
+constexpr int kTile = 64;
+
+// The levels beyond the base, which a file takes only after it, in the file's samples.
+class WaitingLevels {
+ public:
+  WaitingLevels(const FileRef& file, SampleType sample, int width, int height, int channels, int levels)
+      : type_(to_oiio(sample)), spilled_(std::filesystem::path(file.path).parent_path().string()) {
+    std::size_t at = 0;
+    for (int l = 1; l < levels; l++) {
+      width = next_level_size(width), height = next_level_size(height);
+      const std::size_t row_bytes = std::size_t(width) * channels * type_.size();
+      levels_.push_back({width, height, row_bytes, at, at});
+      at += row_bytes * height;
+    }
+  }
+
+  struct Level {
+    int width, height;
+    std::size_t row_bytes, first, next;  // where its rows are, and the next one will be
+  };
+  const std::vector<Level>& levels() const { return levels_; }
+
+  void append(int level, int count, const float* rows) {
+    Level& to = levels_[level - 1];
+    bytes_.resize(to.row_bytes * count);
+    OIIO::convert_pixel_values(OIIO::TypeFloat, rows, type_, bytes_.data(), int(bytes_.size() / type_.size()));
+    spilled_.write(to.next, bytes_.data(), bytes_.size());
+    to.next += bytes_.size();
+  }
+  const std::byte* rows(const Level& of, int first, int count) {
+    bytes_.resize(of.row_bytes * count);
+    spilled_.read(of.first + of.row_bytes * first, bytes_.data(), bytes_.size());
+    return bytes_.data();
+  }
+
+ private:
+  OIIO::TypeDesc type_;
+  SpillFile spilled_;
+  std::vector<Level> levels_;
+  std::vector<std::byte> bytes_;
 };
 
-ImageChainWriter::ImageChainWriter(const FileRef& file, SampleType sample, const Attributes& attributes,
-                                   const std::vector<std::string>& channel_names) {
+// All levels, in tiles.
+class TiledChain {
+ public:
+  TiledChain(const FileRef& file, SampleType sample, int width, int height, int channels, int levels,
+             const Attributes& attributes, const std::vector<std::string>& channel_names)
+      : out_(file, FileType::kExr),
+        spec_(out_.spec(sample, width, height, channels, attributes)),
+        waiting_(file, sample, width, height, channels, levels) {
+    if (!channel_names.empty()) spec_.channelnames = channel_names;
+    spec_.tile_width = spec_.tile_height = kTile;
+    spec_.attribute("textureformat", "Plain Texture");  // mip levels, rounded down
+    out_.open(spec_);
+  }
+
+  void write_rows(int level, int count, const float* rows) {
+    if (level == 0) write_base(count, rows);
+    else waiting_.append(level, count, rows);
+  }
+  void close() {
+    tiles_ = {};
+    write_waiting();
+    out_.close();
+  }
+
+ private:
+  // Rows wait as the file's samples, which take less room than floats.
+  void write_base(int count, const float* rows) {
+    const std::size_t row_samples = std::size_t(spec_.width) * spec_.nchannels;
+    const std::size_t row_bytes = row_samples * spec_.format.size();
+    while (count > 0) {
+      const int wanted = std::min(kTile, spec_.height - tiles_first_);
+      const int some = std::min(count, wanted - tiles_rows_);
+      tiles_.resize(row_bytes * wanted);
+      OIIO::convert_pixel_values(OIIO::TypeFloat, rows, spec_.format, &tiles_[row_bytes * tiles_rows_],
+                                 int(row_samples * some));
+      tiles_rows_ += some;
+      rows += row_samples * some, count -= some;
+      if (tiles_rows_ < wanted) return;
+      write_tiles(spec_, tiles_first_, tiles_first_ + wanted, tiles_.data());
+      tiles_first_ += wanted, tiles_rows_ = 0;
+    }
+  }
+  void write_waiting() {
+    for (const WaitingLevels::Level& level : waiting_.levels()) {
+      OIIO::ImageSpec coarser = spec_;
+      coarser.width = coarser.full_width = level.width, coarser.height = coarser.full_height = level.height;
+      out_.open(coarser, OIIO::ImageOutput::AppendMIPLevel);
+      for (int y = 0; y < level.height; y += kTile) {
+        const int end = std::min(y + kTile, level.height);
+        write_tiles(coarser, y, end, waiting_.rows(level, y, end - y));
+      }
+    }
+  }
+  void write_tiles(const OIIO::ImageSpec& of, int first, int end, const std::byte* rows) {
+    out_.require(out_.image().write_tiles(0, of.width, first, end, 0, 1, of.format, rows));
+  }
+
+  detail::CheckedOutput out_;
+  OIIO::ImageSpec spec_;
+  WaitingLevels waiting_;
+  std::vector<std::byte> tiles_;  // of the base, a row of tiles that is not complete
+  int tiles_first_ = 0, tiles_rows_ = 0;
+};
+
+}  // namespace
+
+// One of the two.
+struct ImageChainWriter::Impl {
+  std::optional<ImageWriter> plain;
+  std::optional<TiledChain> tiled;
+};
+
+ImageChainWriter::ImageChainWriter(const FileRef& file, SampleType sample, int width, int height, int channels,
+                                   int levels, const Attributes& attributes,
+                                   const std::vector<std::string>& channel_names)
+    : impl_(std::make_unique<Impl>()) {
   require_can_hold(FileType::kExr, sample, file.name);
-  impl_.reset(new Impl{detail::CheckedOutput(file, FileType::kExr), sample, attributes, channel_names});
+  require_chain(file, width, height, levels);
+  if (levels == 1)
+    impl_->plain.emplace(file, FileType::kExr, sample, width, height, channels, attributes, channel_names);
+  else impl_->tiled.emplace(file, sample, width, height, channels, levels, attributes, channel_names);
 }
 
 ImageChainWriter::~ImageChainWriter() = default;
+ImageChainWriter::ImageChainWriter(ImageChainWriter&&) noexcept = default;
 
-void ImageChainWriter::write(const Image& level) {
-  OIIO::ImageSpec spec = impl_->out.spec(impl_->sample, level.width, level.height, level.channels, impl_->attributes);
-  if (!impl_->channel_names.empty()) spec.channelnames = impl_->channel_names;
-  spec.tile_width = spec.tile_height = 64;
-  spec.attribute("textureformat", "Plain Texture");  // mip levels, rounded down
-  impl_->out.open(spec, impl_->first ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel);
-  impl_->out.require(impl_->out.image().write_image(OIIO::TypeDesc::FLOAT, level.data.data()));
-  impl_->first = false;
+void ImageChainWriter::write_rows(int level, int count, const float* rows) {
+  if (impl_->plain) impl_->plain->write_rows(count, rows);
+  else impl_->tiled->write_rows(level, count, rows);
 }
 
-void ImageChainWriter::close() { impl_->out.close(); }
+void ImageChainWriter::close() {
+  if (impl_->plain) impl_->plain->close();
+  else impl_->tiled->close();
+}
 
 void write_image_chain(const FileRef& file, SampleType sample, const std::vector<Image>& levels,
                        const Attributes& attributes) {
-  if (levels.size() == 1) return write_image(file, FileType::kExr, sample, levels[0], attributes);
-  require_chain(file, levels[0].width, levels[0].height, int(levels.size()));
-  ImageChainWriter writer(file, sample, attributes);
-  for (const Image& level : levels) writer.write(level);
+  const Image& base = levels[0];
+  ImageChainWriter writer(file, sample, base.width, base.height, base.channels, int(levels.size()), attributes);
+  for (std::size_t l = 0; l < levels.size(); l++) writer.write_rows(int(l), levels[l].height, levels[l].data.data());
   writer.close();
 }
 

@@ -15,16 +15,19 @@ namespace burnish {
 // kUnsupported where an EXR does not hold so many levels of an image of that size.
 void require_chain(const FileRef& file, int width, int height, int levels);
 
-// A chain to an EXR, level by level from the base.
+// A chain to an EXR, by rows. Of the base 64 rows are held; the coarser levels, which come after it in the file, wait
+// in a temporary file (spill_file.h) beside it.
 class ImageChainWriter {
  public:
-  // kUnsupported for integer samples.
-  ImageChainWriter(const FileRef& file, SampleType sample, const Attributes& attributes = {},
-                   const std::vector<std::string>& channel_names = {});
+  // Size and levels of the whole chain. kUnsupported for integer samples, and as require_chain().
+  ImageChainWriter(const FileRef& file, SampleType sample, int width, int height, int channels, int levels,
+                   const Attributes& attributes = {}, const std::vector<std::string>& channel_names = {});
   ~ImageChainWriter();
+  ImageChainWriter(ImageChainWriter&&) noexcept;
 
-  void write(const Image& level);
-  // Must be called, as ImageWriter's.
+  // The next rows of a level, each level's from its top; rows of several levels may take turns.
+  void write_rows(int level, int count, const float* rows);
+  // After all rows. Must be called, as ImageWriter's.
   void close();
 
  private:

@@ -6,45 +6,72 @@
 //
 //   α'² = Σ w α² + 2 σ².
 //
+// Levels are made together, in bands of rows, as those of the base are read: memory grows with the width only.
+//
 // Sources: Toksvig, "Mipmapping normal maps" (2005), for σ²; Olano & Baker, "LEAN mapping" (2010), for α² = 2σ² and
 // that variances add.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "burnish/core/parameter.h"
+#include "burnish/core/progress.h"
 #include "burnish/normal/coding.h"
 #include "burnish/normal/normal_space.h"
 
 namespace burnish {
 
-struct NormalMips {
-  std::vector<Image> means;          // m of each level, 3 channels; the base's are unit vectors
-  std::optional<NormalSpace> space;  // what the file says
-  std::size_t invalid_texels = 0;    // shorter than 1e-3: (0,0,1)
+class NormalMips {
+ public:
+  // Rows of a level, in images of their own.
+  struct Rows {
+    int level, first;
+    Image means;   // m, 3 channels; the base's are unit vectors
+    Image alphas;  // α, without a roughness none
+  };
 
-  int width(int level) const { return means[level].width; }
-  int height(int level) const { return means[level].height; }
+  // `levels` with the base, 0: all. kUsage for more than there are; else as NormalReader.
+  NormalMips(const FileRef& file, const NormalCoding& coding, int levels);
+
+  // α of the base. kUsage for a number below 0, NaN and infinity, which are called `name`; kMalformed where a map has
+  // another size than the normals.
+  void add_roughness(const std::string& name, const ParameterSource& source);
+
+  int levels() const { return levels_; }
+  int width(int level) const;
+  int height(int level) const;
+  std::optional<NormalSpace> space() const { return space_; }  // what the file says
+
+  // Makes all rows: of each level from the top. kMalformed for what NormalReader refuses, and for a map's α below 0,
+  // NaN and infinity. To be called once.
+  void make(const std::function<void(const Rows&)>& take, const Progress& progress = {});
+  // Of those that were read, shorter than 1e-3: (0,0,1).
+  std::size_t invalid_texels() const { return reader_.invalid_texels(); }
+
+ private:
+  NormalReader reader_;
+  int levels_;
+  std::optional<NormalSpace> space_;
+  std::optional<ParameterReader> roughness_;
 };
 
-// `levels` with the base, 0: all. kUsage for more than there are; else as NormalReader. Memory: 16 bytes a texel.
-NormalMips build_normal_mips(const FileRef& file, const NormalCoding& coding, int levels);
+// The unit vectors of a level as a file of such samples holds them, row by row.
+class NormalLevelEncoder {
+ public:
+  NormalLevelEncoder(const NormalCoding& coding, SampleType sample);
 
-// The unit vectors of a level as a file of such samples holds them, integers in [0,1]; and the RMS angle between those
-// and the means.
-struct EncodedNormals {
-  Image image;  // 3 channels
-  double rms_deg;
+  // The next rows, 3 channels, integers in [0,1].
+  Image encode(const Image& means);
+  // The RMS angle between what was encoded and the means.
+  double rms_deg() const;
+
+ private:
+  NormalCoding stored_;
+  SampleType sample_;
+  double squares_ = 0;
+  std::size_t texels_ = 0;
 };
-EncodedNormals encoded_level(const NormalMips& mips, int level, const NormalCoding& coding, SampleType sample);
-
-// α of every level, one channel. `base`: α of the base's size, at least 0.
-std::vector<Image> roughness_levels(const NormalMips& mips, Image base);
-// α of the base. kUsage for a number below 0, NaN and infinity, which are called `name`; kMalformed for such texels of
-// a map, and where it has another size than the normals, which are called `normals`.
-Image read_roughness(const std::string& name, const ParameterSource& source, const NormalMips& mips,
-                     const std::string& normals);
 
 }  // namespace burnish

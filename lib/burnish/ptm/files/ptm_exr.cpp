@@ -122,9 +122,13 @@ void write_ptm_exr(const FileRef& file, const PtmRows& rows) {
 void write_ptm_exr_chain(const FileRef& file, std::span<const Ptm> levels) {
   if (levels.size() == 1) return write_ptm_exr(file, PtmInMemory(levels[0]));
   const PtmType type = levels[0].type;
-  require_chain(file, levels[0].width, levels[0].height, int(levels.size()));
-  ImageChainWriter writer(file, SampleType::kFloat, attributes_of(type), channel_names(type));
-  for (const Ptm& level : levels) writer.write(interleaved(level, level.coefficients, level.colour));
+  const std::vector<std::string> channels = channel_names(type);
+  ImageChainWriter writer(file, SampleType::kFloat, levels[0].width, levels[0].height, int(channels.size()),
+                          int(levels.size()), attributes_of(type), channels);
+  for (std::size_t l = 0; l < levels.size(); l++) {
+    const Image samples = interleaved(levels[l], levels[l].coefficients, levels[l].colour);
+    writer.write_rows(int(l), samples.height, samples.data.data());
+  }
   writer.close();
 }
 
