@@ -1,11 +1,15 @@
 // Directions of anisotropy: their forms, their turns, and that they are orthogonal to normals.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "burnish/material/directions/convert_directions.h"
+#include "burnish/material/directions/nearest_directions.h"
 #include "burnish/material/directions/orthonormal_directions.h"
+#include "burnish/material/directions/turned_directions.h"
+#include "burnish/mesh/bake/gutter.h"
 #include "expect_error.h"
 #include "on_threads.h"
 #include "palette_fixture.h"
@@ -179,6 +183,106 @@ TEST(DirectionTurns, CounterClockwiseWithTheirTexels) {
   DirectionMap round = map;
   for (int i = 0; i < 4; i++) round = turned(round, {false, false, 1});
   EXPECT_EQ(round.vectors, map.vectors);
+}
+
+// Bands of any height are those of the whole map turned.
+TEST(TurnedDirections, AreThoseOfTheWholeMap) {
+  const ScratchDir dir;
+  Random random(11);
+  const std::pair<int, int> sizes[] = {{1, 1}, {5, 3}, {127, 65}, {65, 130}, {200, 64}};
+  for (const auto& [w, h] : sizes) {
+    std::vector<float> samples;
+    for (int i = 0; i < w * h * 3; i++) samples.push_back(float(random.unit()));
+    write_samples(dir / "k.exr", SampleType::kFloat, w, h, 3, samples);
+    const DirectionMap map = read_direction_map(dir / "k.exr", {kKhr});
+    for (const bool flip_u : {false, true})
+      for (const bool flip_v : {false, true})
+        for (int quarters = -1; quarters < 3; quarters++) {
+          const DirectionTurns turns{flip_u, flip_v, quarters};
+          const DirectionMap all = turned(map, turns);
+          for (const int at_once : {1, 50, 64, 200}) {
+            TurnedDirections reader(dir / "k.exr", {kKhr}, turns, dir.path());
+            ASSERT_EQ(reader.width(), all.width);
+            ASSERT_EQ(reader.height(), all.height);
+            std::vector<Vec3f> vectors;
+            std::vector<float> strengths;
+            for (int y = 0; y < all.height; y += at_once) {
+              const DirectionMap band = reader.rows(y, std::min(at_once, all.height - y));
+              vectors.insert(vectors.end(), band.vectors.begin(), band.vectors.end());
+              strengths.insert(strengths.end(), band.strengths.begin(), band.strengths.end());
+            }
+            EXPECT_EQ(vectors, all.vectors) << w << "x" << h << " " << flip_u << flip_v << quarters << " " << at_once;
+            EXPECT_EQ(strengths, all.strengths) << w << "x" << h;
+          }
+        }
+  }
+  EXPECT_EQ(dir.entries(), 1u);  // the map alone
+}
+
+TEST(TurnedDirections, SayWhereAFileIsWrong) {
+  const ScratchDir dir;
+  std::vector<float> samples(4 * 3 * 3, 0.5f);
+  samples[(2 * 4 + 3) * 3] = std::numeric_limits<float>::quiet_NaN();
+  write_samples(dir / "bad.exr", SampleType::kFloat, 4, 3, 3, samples);
+  TurnedDirections reader(dir / "bad.exr", {}, {false, false, 1}, dir.path());
+  EXPECT_ERROR(reader.rows(0, 1), ErrorKind::kMalformed, "at column 3, row 2");
+}
+
+// The sources of gutters, which see the whole map, are the nearest directions of its rows; also where runs are more
+// than memory takes.
+TEST(NearestDirections, AreTheSourcesOfGutters) {
+  const ScratchDir dir;
+  Random random(13);
+  const std::pair<int, int> sizes[] = {{1, 1}, {5, 3}, {127, 65}, {1, 40}, {40, 1}, {1500, 1500}};
+  for (const auto& [w, h] : sizes)
+    for (const double filled : {0.02, 0.5, 0.9}) {
+      ByteImage defined(w, h);
+      std::vector<Vec3f> t, n;
+      for (int i = 0; i < w * h; i++) {
+        defined.data[i] = random.unit() < filled;
+        t.push_back({float(i % w), float(i / w), 0}), n.push_back({0, float(i), 1});
+      }
+      defined.data[random.below(w * h)] = 1;
+      const std::vector<std::uint32_t> sources = gutter_sources(defined, w + h);
+      const auto row = [&](int y) {
+        return DirectionRow{defined.row(y), &t[std::size_t(y) * w], &n[std::size_t(y) * w]};
+      };
+      NearestDirections nearest(w, dir.path());
+      for (int y = 0; y < h; y++) nearest.note(row(y));
+      nearest.end_notes();
+      EXPECT_EQ(nearest.missing(), std::size_t(std::ranges::count(defined.data, 0)));
+      for (int y = 0; y < h; y++) {
+        const DirectionRow above = y > 0 ? row(y - 1) : DirectionRow{};
+        nearest.enter(y, row(y), y > 0 ? &above : nullptr);
+        for (int x = 0; x < w; x++) {
+          if (*defined.at(x, y)) continue;
+          const NearestDirections::Texel got = nearest.nearest(x);
+          const std::uint32_t source = sources[std::size_t(y) * w + x];
+          ASSERT_EQ(got.t, t[source]) << w << "x" << h << ", " << filled << ": column " << x << ", row " << y;
+          ASSERT_EQ(got.n, n[source]);
+        }
+      }
+    }
+  EXPECT_EQ(dir.entries(), 0u);
+}
+
+// Bands of so narrow a map are of 4096 rows.
+TEST(Orthonormalise, HolesMayReachFromBandToBand) {
+  const int w = 3, h = 13000;
+  Random random(17);
+  DirectionMap map = map_of(w, h, random.directions(w * h));
+  const std::vector<Vec3f> before = map.vectors;
+  ByteImage defined(w, h);
+  for (int i = 0; i < w * h; i++) {
+    const int y = i / w;
+    const bool hole = (y > 5000 && y < 12500 && !(y == 9000 && i % w == 1)) || random.below(1000) == 0;
+    defined.data[i] = !hole;
+    if (hole) map.vectors[i] = {};
+  }
+  const std::vector<std::uint32_t> sources = gutter_sources(defined, w + h);
+  EXPECT_EQ(orthonormalise(map, nullptr, false), std::size_t(std::ranges::count(defined.data, 0)));
+  for (int i = 0; i < w * h; i++)
+    ASSERT_LT(length(map.vectors[i] - before[sources[i]]), 1e-6) << "column " << i % w << ", row " << i / w;
 }
 
 TEST(Orthonormalise, TakesAwayWhatLiesAlongTheNormal) {

@@ -1,4 +1,4 @@
-// One direction map made into another: read, turned, made orthonormal, written.
+// One direction map made into another: read, turned, made orthonormal, written, all in bands of rows.
 #pragma once
 
 #include "burnish/material/directions/direction_map.h"
@@ -30,7 +30,7 @@ struct DirectionStats {
 };
 
 // Without normals vectors keep their z. Strengths of khr are handed on. kMalformed where sizes differ; kUnsupported for
-// what the target cannot hold; as read_direction_map(), read_surface_normals() and orthonormalise().
+// what the target cannot hold; as DirectionReader, SurfaceNormalReader and orthonormal_bands().
 DirectionStats convert_directions(const DirectionSource& from, const DirectionTarget& to);
 
 }  // namespace burnish

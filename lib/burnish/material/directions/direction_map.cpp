@@ -1,11 +1,13 @@
 #include "burnish/material/directions/direction_map.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
 #include "burnish/core/samples.h"
 #include "burnish/core/texel_check.h"
+#include "burnish/core/whole_image.h"
 #include "burnish/core/wording.h"
 #include "burnish/normal/normal_space.h"
 
@@ -13,8 +15,6 @@ namespace burnish {
 namespace {
 
 const std::string kAttribute = "burnish:direction";
-
-int channels_of(DirectionForm form) { return form == DirectionForm::kAngle ? 1 : form == DirectionForm::kFlow ? 2 : 3; }
 
 bool is_biased(const DirectionCoding& coding, SampleType sample) {
   const bool by_definition = coding.form == DirectionForm::kKhr && coding.encoding == NormalEncoding::kByType;
@@ -29,9 +29,9 @@ void require_channels(const std::string& name, int channels, DirectionForm form)
                        ", got " + std::to_string(channels));
 }
 
-void require_values(const std::string& name, const Image& samples, DirectionForm form) {
+void require_values(const std::string& name, const Image& samples, DirectionForm form, int first_row) {
   const auto require = [&](int first, int last, const auto& holds, const char* wanted) {
-    require_samples(name, samples.data, samples.width, samples.channels, first, last, holds, wanted);
+    require_samples(name, samples.data, samples.width, samples.channels, first, last, holds, wanted, first_row);
   };
   require(
       0, channels_of(form), [](float v) { return std::isfinite(v); }, "finite directions");
@@ -52,6 +52,26 @@ void require_recorded(const ImageReader& reader, DirectionForm form) {
                    expected + excerpt(*recorded) + ": burnish-tangents reads it --from " + excerpt(*recorded) + writes);
 }
 
+DirectionMap decoded(const std::string& name, const Image& samples, const DirectionCoding& coding, SampleType sample) {
+  const bool biased = is_biased(coding, sample);
+  const float scale = biased ? 2.f : 1.f, bias = biased ? -1.f : 0.f;
+  const float up = coding.green == GreenAxis::kDown ? -1.f : 1.f;
+  const bool angles = coding.form == DirectionForm::kAngle, flat = coding.form != DirectionForm::kVector;
+  DirectionMap map{name, samples.width, samples.height, std::vector<Vec3f>(samples.texels()), 0, {}};
+  if (!angles) map.error = rounding_error(sample);
+  parallel_for(map.height, [&](std::size_t y) {
+    for (int x = 0; x < map.width; x++) {
+      const float* s = samples.at(x, int(y));
+      Vec3f& v = map.vectors[y * map.width + x];
+      if (angles) v = Vec3f(Vec3d{std::cos(2 * kPi * s[0]), std::sin(2 * kPi * s[0]), 0});
+      else v = {s[0] * scale + bias, up * (s[1] * scale + bias), flat ? 0 : s[2] * scale + bias};
+    }
+  });
+  if (coding.form == DirectionForm::kKhr)
+    for (std::size_t i = 0; i < samples.texels(); i++) map.strengths.push_back(samples.data[i * samples.channels + 2]);
+  return map;
+}
+
 }  // namespace
 
 float rounding_error(SampleType sample) {
@@ -61,6 +81,8 @@ float rounding_error(SampleType sample) {
 void require_encodable(const DirectionCoding& coding, SampleType sample, const std::string& name) {
   if (coding.form != DirectionForm::kAngle) require_encodable({coding.green, coding.encoding, ""}, sample, name);
 }
+
+int channels_of(DirectionForm form) { return form == DirectionForm::kAngle ? 1 : form == DirectionForm::kFlow ? 2 : 3; }
 
 const char* name(DirectionForm form) {
   switch (form) {
@@ -82,36 +104,42 @@ Attributes direction_attributes(DirectionForm form) {
   return attributes;
 }
 
-DirectionMap read_direction_map(const FileRef& file, const DirectionCoding& coding) {
-  ImageReader reader(file);
-  require_recorded(reader, coding.form);
-  require_channels(file.name, reader.channels(), coding.form);
-  require_encodable(coding, reader.sample_type(), file.name);
-  if (recorded_space(reader) == NormalSpace::kObject)
+DirectionReader::DirectionReader(const FileRef& file, const DirectionCoding& coding) : image_(file), coding_(coding) {
+  require_recorded(image_, coding.form);
+  require_channels(file.name, image_.channels(), coding.form);
+  require_encodable(coding, image_.sample_type(), file.name);
+  if (recorded_space(image_) == NormalSpace::kObject)
     throw file_error(ErrorKind::kMalformed, file.name, "expected directions in tangent space, got object space");
-  return decode_directions(file.name, reader.read_level(0), coding, reader.sample_type());
+}
+
+Image DirectionReader::samples(int first, int count) {
+  Image samples;
+  samples.width = width(), samples.height = count, samples.channels = channels_of(coding_.form);
+  const std::size_t width = std::size_t(samples.width), all = std::size_t(image_.channels()),
+                    wanted = std::size_t(samples.channels);
+  std::vector<float> band;
+  samples.data = read_whole<float>(name(), count, width * wanted, [&](int row, int some, float* out) {
+    band.resize(width * all * std::size_t(some));
+    image_.read_rows(first + row, some, band.data());
+    for (std::size_t i = 0; i < width * std::size_t(some); i++) std::copy_n(&band[i * all], wanted, out + i * wanted);
+  });
+  require_values(name(), samples, coding_.form, first);
+  return samples;
+}
+
+DirectionMap DirectionReader::decode(const Image& samples) const {
+  return decoded(name(), samples, coding_, image_.sample_type());
+}
+
+DirectionMap read_direction_map(const FileRef& file, const DirectionCoding& coding) {
+  DirectionReader reader(file, coding);
+  return reader.rows(0, reader.height());
 }
 
 DirectionMap decode_directions(const std::string& name, const Image& samples, const DirectionCoding& coding,
                                SampleType sample) {
-  require_values(name, samples, coding.form);
-  const bool biased = is_biased(coding, sample);
-  const float scale = biased ? 2.f : 1.f, bias = biased ? -1.f : 0.f;
-  const float up = coding.green == GreenAxis::kDown ? -1.f : 1.f;
-  const bool angles = coding.form == DirectionForm::kAngle, flat = coding.form != DirectionForm::kVector;
-  DirectionMap map{name, samples.width, samples.height, std::vector<Vec3f>(samples.texels()), 0, {}};
-  if (!angles) map.error = rounding_error(sample);
-  parallel_for(map.height, [&](std::size_t y) {
-    for (int x = 0; x < map.width; x++) {
-      const float* s = samples.at(x, int(y));
-      Vec3f& v = map.vectors[y * map.width + x];
-      if (angles) v = Vec3f(Vec3d{std::cos(2 * kPi * s[0]), std::sin(2 * kPi * s[0]), 0});
-      else v = {s[0] * scale + bias, up * (s[1] * scale + bias), flat ? 0 : s[2] * scale + bias};
-    }
-  });
-  if (coding.form == DirectionForm::kKhr)
-    for (std::size_t i = 0; i < samples.texels(); i++) map.strengths.push_back(samples.data[i * samples.channels + 2]);
-  return map;
+  require_values(name, samples, coding.form, 0);
+  return decoded(name, samples, coding, sample);
 }
 
 Image encode_directions(const DirectionMap& map, const DirectionCoding& coding, SampleType sample) {

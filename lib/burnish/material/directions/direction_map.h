@@ -23,6 +23,7 @@ namespace burnish {
 
 enum class DirectionForm { kVector, kAngle, kFlow, kKhr };
 const char* name(DirectionForm form);  // "vector", …
+int channels_of(DirectionForm form);   // that it takes
 
 struct DirectionCoding {
   DirectionForm form = DirectionForm::kVector;
@@ -30,6 +31,7 @@ struct DirectionCoding {
   NormalEncoding encoding = NormalEncoding::kByType;
 };
 
+// A map, or some rows of it.
 struct DirectionMap {
   std::string name;  // for messages
   int width = 0, height = 0;
@@ -47,14 +49,35 @@ void require_encodable(const DirectionCoding& coding, SampleType sample, const s
 // For the writer of a map of that form.
 Attributes direction_attributes(DirectionForm form);
 
-// kMalformed for a file that says it holds another form, or a lookup table; for fewer channels than the form has, for
-// angles in more than one, NaN, infinity, strengths beyond [0,1], and for a file that says its vectors are in object
-// space; kUnsupported as above.
+// A direction map in bands of rows.
+class DirectionReader {
+ public:
+  // kMalformed for a file that says it holds another form, or a lookup table; for fewer channels than the form has, for
+  // angles in more than one, and for a file that says its vectors are in object space; kUnsupported as above.
+  DirectionReader(const FileRef& file, const DirectionCoding& coding);
+
+  int width() const { return image_.width(); }
+  int height() const { return image_.height(); }
+  const std::string& name() const { return image_.name(); }
+
+  // Rows [first, first + count), in any order; ascending is fast. kMalformed for NaN, infinity, and strengths beyond
+  // [0,1].
+  DirectionMap rows(int first, int count) { return decode(samples(first, count)); }
+  // The two steps of it: the channels of the form as they are, and what they mean.
+  Image samples(int first, int count);
+  DirectionMap decode(const Image& samples) const;
+
+ private:
+  ImageReader image_;
+  DirectionCoding coding_;
+};
+
+// All of it. Errors as DirectionReader.
 DirectionMap read_direction_map(const FileRef& file, const DirectionCoding& coding);
 
 // Unit vectors as samples of that type; in the plane of the map for angle and khr. Without strengths khr has 1.
 Image encode_directions(const DirectionMap& map, const DirectionCoding& coding, SampleType sample);
-// What a reader makes of such samples. kMalformed as read_direction_map().
+// What a reader makes of such samples. kMalformed as DirectionReader::rows().
 DirectionMap decode_directions(const std::string& name, const Image& samples, const DirectionCoding& coding,
                                SampleType sample);
 
