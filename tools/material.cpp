@@ -117,16 +117,14 @@ Json bake(Tool& tool, Options& o) {
   require_can_hold(o.type, o.bake.sample, file('t'));
   read_inputs(tool, o);
   const FileRef t = tool.write(file('t')), b = tool.write(file('b')), n = tool.write(file('n'));
-  const MaterialMaps maps = read_material_maps(o.source);
-  const BakedMaterial baked = bake_material(maps, o.bake);
-  write_material_textures(baked.textures, t, b, n, o.type, o.bake.sample);
-  return {{"width", maps.width},
-          {"height", maps.height},
-          {"scale", baked.scale},
-          {"clamped_texels", baked.clamped_texels},
-          {"degenerate_texels", maps.degenerate_texels},
-          {"invalid_normal_texels", maps.invalid_normal_texels},
-          {"max_component", baked.max_component}};
+  const BakeStats stats = bake_material(o.source, o.bake, {t, b, n, o.type});
+  return {{"width", stats.width},
+          {"height", stats.height},
+          {"scale", stats.scale},
+          {"clamped_texels", stats.clamped_texels},
+          {"degenerate_texels", stats.degenerate_texels},
+          {"invalid_normal_texels", stats.invalid_normal_texels},
+          {"max_component", stats.max_component}};
 }
 
 }  // namespace

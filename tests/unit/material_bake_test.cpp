@@ -191,10 +191,10 @@ TEST(MaterialTextures, TheCombinerRangeIsThePapers) {
   const BakedMaterial banks = bake_material(texel(kBanks, 0, 0), {});
   EXPECT_EQ(banks.textures.t.scale[0], 2);
   EXPECT_EQ(banks.textures.b.bias[2], -1);
-  EXPECT_EQ(banks.scale, 1);
-  EXPECT_NEAR(banks.max_component, 1, 1e-7);
-  EXPECT_NEAR(bake_material(texel(kWard, 0.25f, 0.5f), {}).max_component, 4, 1e-6);
-  EXPECT_EQ(bake_material(texel(kWard, 3, 0.5f), {}).scale, 0.25);  // α above 1 is as good as any
+  EXPECT_EQ(banks.stats.scale, 1);
+  EXPECT_NEAR(banks.stats.max_component, 1, 1e-7);
+  EXPECT_NEAR(bake_material(texel(kWard, 0.25f, 0.5f), {}).stats.max_component, 4, 1e-6);
+  EXPECT_EQ(bake_material(texel(kWard, 3, 0.5f), {}).stats.scale, 0.25);  // α above 1 is as good as any
 }
 
 TEST(MaterialTextures, WardsAlphaIsDividedByItsMaximum) {
@@ -250,7 +250,7 @@ TEST(MaterialTextures, AlphaIsClampedAndCounted) {
   EXPECT_ERROR(bake_material(maps, {}), ErrorKind::kMalformed,
                "a.exr': expected at least 0.25 for the combiner range, got 0.1 at column 0, row 0");
   const BakedMaterial baked = bake_material(maps, {VectorRange::kCombiner, 0.25, true});
-  EXPECT_EQ(baked.clamped_texels, 2u);
+  EXPECT_EQ(baked.stats.clamped_texels, 2u);
   for (int x = 0; x < 4; x++) {
     const float ax = std::max(0.25f, alpha.data[x]);
     EXPECT_NEAR(baked.textures.t.vector(0, x, 0).x, 1 / ax, 1e-6);

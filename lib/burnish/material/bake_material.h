@@ -21,16 +21,32 @@ struct BakeOptions {
   SampleType sample = SampleType::kUint8;  // what the textures will be stored in
 };
 
+struct BakeStats {
+  int width = 0, height = 0;
+  double scale = 1;  // of the vectors divided by α
+  std::size_t clamped_texels = 0;
+  double max_component = 0;                                      // largest of |t/α_x| and |b/α_y|, before the scale
+  std::size_t degenerate_texels = 0, invalid_normal_texels = 0;  // as MaterialMaps counts them
+};
+
 struct BakedMaterial {
   MaterialTextures textures;  // one level
-  double scale = 1;           // of the vectors divided by α
-  std::size_t clamped_texels = 0;
-  double max_component = 0;  // largest of |t/α_x| and |b/α_y|, before the scale
+  BakeStats stats;
 };
 
 // An α below alpha_min, and what the samples cannot hold, is an error: kUsage for a number, kMalformed for a map. In
 // integers k_s (but for ward, whose alpha is divided by its maximum) is at most 1 and N at most 128. kUsage for kFloat
 // in integers. In parallel, each texel by itself.
 BakedMaterial bake_material(const MaterialMaps& maps, const BakeOptions& options);
+
+// Where the textures go.
+struct MaterialTarget {
+  FileRef t, b, n;
+  FileType type = FileType::kPng;
+};
+
+// The same from files to files, in bands of rows: maps of parameters are read twice, as their values must be known for
+// the textures' scale. Errors of MaterialReader and MaterialTexturesWriter too.
+BakeStats bake_material(const MaterialSource& source, const BakeOptions& options, const MaterialTarget& target);
 
 }  // namespace burnish

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "burnish/core/error.h"
-#include "burnish/core/image_chain.h"
 #include "burnish/core/texel_check.h"
 #include "burnish/core/wording.h"
 
@@ -14,6 +13,7 @@ namespace {
 
 const std::string kModel = "burnish:model", kAlpha = "burnish:alpha", kScale = "burnish:scale", kBias = "burnish:bias";
 
+constexpr char kNames[] = "tbn";
 constexpr MaterialModel kModels[] = {MaterialModel::kBanks, MaterialModel::kBlinnPhong, MaterialModel::kWard};
 const std::pair<FileType, std::string> kTypes[] = {
     {FileType::kExr, ".exr"}, {FileType::kPng, ".png"}, {FileType::kTiff, ".tif"}};
@@ -27,7 +27,7 @@ std::string meaning_of_alpha(MaterialModel model, char which) {
 
 Attributes attributes_of(const MaterialTexture& texture, MaterialModel model, char which) {
   const auto numbers = [&](const std::array<float, 4>& of) {
-    return std::vector<double>(of.begin(), of.begin() + texture.channels());
+    return std::vector<double>(of.begin(), of.begin() + channels_of(model, which));
   };
   Attributes all{{kModel, name(model)}, {kScale, numbers(texture.scale)}, {kBias, numbers(texture.bias)}};
   if (const std::string alpha = meaning_of_alpha(model, which); !alpha.empty()) all.emplace_back(kAlpha, alpha);
@@ -57,9 +57,10 @@ std::array<float, 4> numbers_of(const ImageReader& reader, const std::string& at
   return out;
 }
 
-MaterialTexture read_texture(ImageReader& reader, MaterialModel model, char which) {
+// All but the levels.
+MaterialTexture read_head(const ImageReader& reader, MaterialModel model, char which) {
   const std::string alpha = meaning_of_alpha(model, which);
-  if (const int channels = alpha.empty() ? 3 : 4; reader.channels() != channels)
+  if (const int channels = channels_of(model, which); reader.channels() != channels)
     throw file_error(ErrorKind::kMalformed, reader.name(),
                      "expected " + counted(std::size_t(channels), "channel") + " of " + name(model) + "'s " + which +
                          ", got " + std::to_string(reader.channels()));
@@ -70,12 +71,13 @@ MaterialTexture read_texture(ImageReader& reader, MaterialModel model, char whic
   MaterialTexture texture;
   texture.scale = numbers_of(reader, kScale, 1);
   texture.bias = numbers_of(reader, kBias, 0);
-  texture.levels = read_image_chain(reader);
-  for (const Image& level : texture.levels)
-    require_samples(
-        reader.name(), level.data, level.width, level.channels, 0, level.channels,
-        [](float v) { return std::isfinite(v); }, "finite values");
   return texture;
+}
+
+void require_finite(const ImageReader& reader, const Image& level, int first_row) {
+  require_samples(
+      reader.name(), level.data, level.width, level.channels, 0, level.channels,
+      [](float v) { return std::isfinite(v); }, "finite values", first_row);
 }
 
 }  // namespace
@@ -108,44 +110,94 @@ std::string material_file(const std::string& prefix, char which, FileType type) 
   return prefix + "_" + which + std::ranges::find(kTypes, type, &std::pair<FileType, std::string>::first)->second;
 }
 
+int channels_of(MaterialModel model, char which) { return meaning_of_alpha(model, which).empty() ? 3 : 4; }
+
+MaterialTexturesWriter::MaterialTexturesWriter(const MaterialTextures& like, int width, int height, int levels,
+                                               const FileRef& t, const FileRef& b, const FileRef& n, FileType type,
+                                               SampleType sample) {
+  const FileRef* const files[] = {&t, &b, &n};
+  for (std::size_t i = 0; i < 3; i++) {
+    const int channels = channels_of(like.model, kNames[i]);
+    const Attributes attributes = attributes_of(*like.all()[i], like.model, kNames[i]);
+    if (type == FileType::kExr) {
+      chains_.emplace_back(*files[i], sample, width, height, channels, levels, attributes);
+      continue;
+    }
+    if (levels > 1)
+      throw file_error(ErrorKind::kUnsupported, files[i]->name,
+                       std::string("material textures of several levels are written as EXR, not ") + name(type));
+    images_.emplace_back(*files[i], type, sample, width, height, channels, attributes);
+  }
+}
+
+void MaterialTexturesWriter::write_rows(int level, const Image& t, const Image& b, const Image& n) {
+  const Image* const rows[] = {&t, &b, &n};
+  for (std::size_t i = 0; i < 3; i++) {
+    if (chains_.empty()) images_[i].write_rows(rows[i]->height, rows[i]->data.data());
+    else chains_[i].write_rows(level, rows[i]->height, rows[i]->data.data());
+  }
+}
+
+void MaterialTexturesWriter::close() {
+  for (ImageChainWriter& chain : chains_) chain.close();
+  for (ImageWriter& image : images_) image.close();
+}
+
 void write_material_textures(const MaterialTextures& textures, const FileRef& t, const FileRef& b, const FileRef& n,
                              FileType type, SampleType sample) {
-  const auto write = [&](const FileRef& file, const MaterialTexture& texture, char which) {
-    const Attributes attributes = attributes_of(texture, textures.model, which);
-    if (type == FileType::kExr) return write_image_chain(file, sample, texture.levels, attributes);
-    if (texture.levels.size() > 1)
-      throw file_error(ErrorKind::kUnsupported, file.name,
-                       std::string("material textures of several levels are written as EXR, not ") + name(type));
-    write_image(file, type, sample, texture.levels[0], attributes);
+  const std::size_t levels = textures.t.levels.size();
+  MaterialTexturesWriter writer(textures, textures.width(), textures.height(), int(levels), t, b, n, type, sample);
+  for (std::size_t l = 0; l < levels; l++)
+    writer.write_rows(int(l), textures.t.levels[l], textures.b.levels[l], textures.n.levels[l]);
+  writer.close();
+}
+
+MaterialTexturesReader::MaterialTexturesReader(const FileRef& t, const FileRef& b, const FileRef& n) {
+  readers_.emplace_back(t);
+  like_.model = model_of(readers_[0]);
+  like_.t = read_head(readers_[0], like_.model, 't');
+  const std::string of = "'" + t.name + "'";
+  const int levels = readers_[0].levels();
+  const auto open = [&](const FileRef& file, char which) {
+    ImageReader& reader = readers_.emplace_back(file);
+    if (const MaterialModel other = model_of(reader); other != model())
+      throw file_error(ErrorKind::kMalformed, file.name,
+                       std::string("expected the model ") + burnish::name(model()) + " as in " + of + ", got " +
+                           burnish::name(other));
+    reader.require_size(width(), height(), of);
+    MaterialTexture head = read_head(reader, model(), which);
+    if (reader.levels() != levels)
+      throw file_error(ErrorKind::kMalformed, file.name,
+                       "expected " + counted(std::size_t(levels), "level") + " as in " + of + ", got " +
+                           std::to_string(reader.levels()));
+    return head;
   };
-  write(t, textures.t, 't');
-  write(b, textures.b, 'b');
-  write(n, textures.n, 'n');
+  like_.b = open(b, 'b');
+  like_.n = open(n, 'n');
+}
+
+MaterialTextures MaterialTexturesReader::rows(int first, int count) {
+  MaterialTextures rows = like_;
+  rows.first_row = first;
+  for (std::size_t i = 0; i < 3; i++) {
+    Image& to = rows.all()[i]->levels.emplace_back(width(), count, readers_[i].channels());
+    readers_[i].read_rows(first, count, to.data.data());
+    require_finite(readers_[i], to, first);
+  }
+  return rows;
+}
+
+MaterialTextures MaterialTexturesReader::read_all() {
+  MaterialTextures textures = like_;
+  for (std::size_t i = 0; i < 3; i++) {
+    textures.all()[i]->levels = read_image_chain(readers_[i]);
+    for (const Image& level : textures.all()[i]->levels) require_finite(readers_[i], level, 0);
+  }
+  return textures;
 }
 
 MaterialTextures read_material_textures(const FileRef& t, const FileRef& b, const FileRef& n) {
-  ImageReader first(t);
-  MaterialTextures textures;
-  textures.model = model_of(first);
-  textures.t = read_texture(first, textures.model, 't');
-  const auto read = [&](const FileRef& file, char which) {
-    ImageReader reader(file);
-    const std::string of = "'" + t.name + "'";
-    if (const MaterialModel model = model_of(reader); model != textures.model)
-      throw file_error(
-          ErrorKind::kMalformed, file.name,
-          std::string("expected the model ") + name(textures.model) + " as in " + of + ", got " + name(model));
-    reader.require_size(textures.width(), textures.height(), of);
-    MaterialTexture texture = read_texture(reader, textures.model, which);
-    if (texture.levels.size() != textures.t.levels.size())
-      throw file_error(ErrorKind::kMalformed, file.name,
-                       "expected " + counted(textures.t.levels.size(), "level") + " as in " + of + ", got " +
-                           std::to_string(texture.levels.size()));
-    return texture;
-  };
-  textures.b = read(b, 'b');
-  textures.n = read(n, 'n');
-  return textures;
+  return MaterialTexturesReader(t, b, n).read_all();
 }
 
 }  // namespace burnish

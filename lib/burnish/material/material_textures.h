@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "burnish/core/image_io.h"
+#include "burnish/core/image_chain.h"
 #include "burnish/core/vec3.h"
 
 namespace burnish {
@@ -28,6 +28,7 @@ struct MaterialTexture {
   std::array<float, 4> scale{1, 1, 1, 1}, bias{};
 
   int channels() const { return levels[0].channels; }
+  MaterialTexture without_texels() const { return {{}, scale, bias}; }
   // True values of a texel: the vector, and the fourth channel (0 where there is none).
   Vec3f vector(int level, int x, int y) const {
     const float* s = levels[level].at(x, y);
@@ -41,9 +42,13 @@ struct MaterialTexture {
 struct MaterialTextures {
   MaterialModel model = MaterialModel::kWard;
   MaterialTexture t, b, n;
+  int first_row = 0;  // in the map, where these are some rows of it
 
   int width() const { return t.levels[0].width; }
   int height() const { return t.levels[0].height; }
+
+  std::array<MaterialTexture*, 3> all() { return {&t, &b, &n}; }
+  std::array<const MaterialTexture*, 3> all() const { return {&t, &b, &n}; }
 };
 
 // The file of a texture, `which` being t, b or n: PREFIX_t.exr, .png or .tif, whichever there is. kIo where there is
@@ -53,13 +58,53 @@ std::string material_file(const std::string& prefix, char which);
 // PREFIX_t.exr and so on: what they are written to.
 std::string material_file(const std::string& prefix, char which, FileType type);
 
-// With the attributes above. kUnsupported where the type does not hold the samples, and for several levels in any but
-// EXR.
+// Channels of a texture of that model.
+int channels_of(MaterialModel model, char which);
+
+// The three files of material textures, written by rows, with the attributes above.
+class MaterialTexturesWriter {
+ public:
+  // Model, scales and biases are those of `like`. kUnsupported where the type does not hold the samples, and for
+  // several levels in any but EXR.
+  MaterialTexturesWriter(const MaterialTextures& like, int width, int height, int levels, const FileRef& t,
+                         const FileRef& b, const FileRef& n, FileType type, SampleType sample);
+  // The next rows of a level; rows of several levels may take turns.
+  void write_rows(int level, const Image& t, const Image& b, const Image& n);
+  // Must be called, as ImageWriter's.
+  void close();
+
+ private:
+  std::vector<ImageChainWriter> chains_;  // of EXR
+  std::vector<ImageWriter> images_;       // of others
+};
+
+// All of them. Errors as MaterialTexturesWriter.
 void write_material_textures(const MaterialTextures& textures, const FileRef& t, const FileRef& b, const FileRef& n,
                              FileType type, SampleType sample);
 
-// kMalformed where a file's attributes or channels are not those of its model, where the three differ in size, levels
-// or model, and for NaN and infinity.
+// The base of three files' textures, by rows.
+class MaterialTexturesReader {
+ public:
+  // kMalformed where a file's attributes or channels are not those of its model, and where the three differ in size,
+  // levels or model.
+  MaterialTexturesReader(const FileRef& t, const FileRef& b, const FileRef& n);
+
+  MaterialModel model() const { return like_.model; }
+  const MaterialTextures& head() const { return like_; }  // all but the levels
+  int width() const { return readers_[0].width(); }
+  int height() const { return readers_[0].height(); }
+  int levels() { return readers_[0].levels(); }
+  // Rows [first, first + count) of the base, as the one level of textures. kMalformed for NaN and infinity.
+  MaterialTextures rows(int first, int count);
+  // All levels. kMalformed too where their sizes are not those of a chain.
+  MaterialTextures read_all();
+
+ private:
+  std::vector<ImageReader> readers_;  // of t, b and n
+  MaterialTextures like_;             // without levels
+};
+
+// All levels. Errors as MaterialTexturesReader.
 MaterialTextures read_material_textures(const FileRef& t, const FileRef& b, const FileRef& n);
 
 }  // namespace burnish
