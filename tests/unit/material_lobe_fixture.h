@@ -1,12 +1,16 @@
 // Lobes, what they reflect by the formulas in double precision, and textures made of them.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <random>
 
 #include "burnish/brdf/banks.h"
 #include "burnish/brdf/blinn_phong.h"
 #include "burnish/brdf/ward.h"
 #include "burnish/material/mips/lobe.h"
+#include "burnish/material/mips/material_mips.h"
 
 namespace burnish {
 
@@ -66,6 +70,34 @@ MaterialTextures textures_of(MaterialModel model, int width, int height, const L
   for (int y = 0; y < height; y++)
     for (int x = 0; x < width; x++) put_lobe(at(x, y), m, 0, x, y);
   return m;
+}
+
+// Mips in memory: replaces levels[1 …] of all three.
+inline std::vector<MaterialMipLevel> build_material_mips(MaterialTextures& m, int levels, const std::string& name) {
+  MaterialTextures made{m.model, m.t.without_texels(), m.b.without_texels(), m.n.without_texels()};
+  const auto read = [&](int first, int count) {
+    MaterialTextures rows{m.model, m.t.without_texels(), m.b.without_texels(), m.n.without_texels(), first};
+    for (int i = 0; i < 3; i++) {
+      const Image& all = m.all()[i]->levels[0];
+      Image& part = rows.all()[i]->levels.emplace_back(all.width, count, all.channels);
+      std::copy_n(all.row(first), part.data.size(), part.data.begin());
+    }
+    return rows;
+  };
+  const auto take = [&](int level, const MaterialTextures& rows) {
+    for (int i = 0; i < 3; i++) {
+      const Image& from = rows.all()[i]->levels[0];
+      std::vector<Image>& to = made.all()[i]->levels;
+      if (level >= int(to.size())) to.resize(level + 1);
+      if (to[level].height == 0) to[level] = Image(from.width, 0, from.channels);
+      EXPECT_EQ(rows.first_row, to[level].height) << "level " << level;
+      to[level].data.insert(to[level].data.end(), from.data.begin(), from.data.end());
+      to[level].height += from.height;
+    }
+  };
+  const std::vector<MaterialMipLevel> stats = make_material_mips(m.width(), m.height(), levels, name, read, take);
+  m = made;
+  return stats;
 }
 
 }  // namespace burnish

@@ -20,7 +20,8 @@ double ward_factor(const Lobe& o) { return 1 / (4 * kPi * o.alpha_x * o.alpha_y)
 
 Lobe lobe_at(const MaterialTextures& textures, int level, int x, int y) {
   const auto fail = [&](const std::string& what) {
-    throw Error(ErrorKind::kMalformed, "column " + std::to_string(x) + ", row " + std::to_string(y) + ": " + what);
+    throw Error(ErrorKind::kMalformed,
+                "column " + std::to_string(x) + ", row " + std::to_string(textures.first_row + y) + ": " + what);
   };
   const Vec3d t(textures.t.vector(level, x, y)), b(textures.b.vector(level, x, y)), n(textures.n.vector(level, x, y));
   const std::optional<LocalFrame> frame = orthonormal_frame(n, t);

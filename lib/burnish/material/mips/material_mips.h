@@ -9,6 +9,7 @@
 // it cannot say of a mean, normal, direction and k_s are fitted to all the same.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,18 @@ struct MaterialMipLevel {
   double relative_error;
 };
 
-// Replaces levels[1 …] of all three; `levels` with the base, 0: all. What a level's alpha of ward's n is may exceed the
-// base's maximum. kUsage for more levels than there are; kMalformed, beginning with `name`, for texels that are no
-// lobe. In parallel; the result does not depend on threads. Time is proportional to texels, memory but for the textures
-// themselves to their width: three rows a level of up to 1024 floats a texel.
-std::vector<MaterialMipLevel> build_material_mips(MaterialTextures& textures, int levels, const std::string& name,
-                                                  const Progress& progress = {});
+// Rows [first, first + count) of the base, as the one level of textures.
+using ReadMaterialRows = std::function<MaterialTextures(int first, int count)>;
+// The next rows of a level, as the one level of textures.
+using TakeMaterialRows = std::function<void(int level, const MaterialTextures& rows)>;
+
+// Goes through a base of that size twice, in ascending bands, and gives the rows of all levels, the base's too.
+// `levels` with the base, 0: all. What a level's alpha of ward's n is may exceed the base's maximum. kUsage for more
+// levels than there are; kMalformed, beginning with `name`, for texels that are no lobe. In parallel; the result does
+// not depend on threads. Time is proportional to texels, memory to the width: from level 1 on two rows a level, three
+// of odd heights, of up to 1024 floats a texel.
+std::vector<MaterialMipLevel> make_material_mips(int width, int height, int levels, const std::string& name,
+                                                 const ReadMaterialRows& read, const TakeMaterialRows& take,
+                                                 const Progress& progress = {});
 
 }  // namespace burnish
