@@ -17,12 +17,12 @@ class KeyTable {
   // Room for so many keys. To be called before another table's keys are taken over: for_each gives them in the order of
   // their hashes, which crowds the front of a smaller table until it grows.
   void reserve(std::size_t keys) {
-    while (2 * keys >= slots_.size()) grow();
+    while (is_full(keys)) grow();
   }
 
   // The number of a key, 0 when it is new. The reference holds until the next call. Keys are below 2^64 − 1.
   std::uint32_t& operator[](std::uint64_t key) {
-    if (2 * size_ >= slots_.size()) grow();
+    if (is_full(size_)) grow();
     Slot& slot = slots_[find(key)];
     if (slot.key == kFree) slot.key = key, size_++;
     return slot.value;
@@ -45,6 +45,8 @@ class KeyTable {
     std::uint64_t key = kFree;
     std::uint32_t value = 0;
   };
+  // Beyond ⅝ probing becomes long; ½ would double the table where powers of two are all that is kept.
+  bool is_full(std::size_t keys) const { return 8 * keys >= 5 * slots_.size(); }
   std::size_t home(std::uint64_t key) const { return (key * 0x9e3779b97f4a7c15u) >> shift_; }
   std::size_t find(std::uint64_t key) const {
     std::size_t i = home(key);

@@ -53,6 +53,7 @@ class NormalBins {
   void add(const Bin& bin) {
     std::uint32_t& place = place_[bin.key & kept_bits(shift_)];
     if (place == 0) {  // new
+      if (2 * sums_.size() > kMost) sums_.reserve(kMost + 1);  // doubled, it would be twice that
       sums_.push_back({});
       place = std::uint32_t(sums_.size());
     }

@@ -1,7 +1,6 @@
 #include "burnish/palette/normal_counts.h"
 
 #include <algorithm>
-#include <array>
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
@@ -9,41 +8,48 @@
 namespace burnish {
 namespace {
 
-constexpr int kLanes = 8;  // tables filled side by side; their number is fixed, the threads take them as they come
-constexpr int kBandRows = 128;
+// Tables filled side by side; their number is fixed, the threads take them as they come. Bins take more memory.
+constexpr int kLanes = 8, kBinLanes = 2;
 
-// Calls body(lane, rows, y) for each row y of each band of rows, lanes in parallel, while the next band is read; stops
-// where it returns false.
+int rows_of_band(int width) {
+  constexpr std::size_t kTexels = std::size_t(1) << 20;
+  return int(std::clamp<std::size_t>(kTexels / width, 2 * kLanes, 128));
+}
+
+// Calls body(rows) for each band of rows, while the next is read.
 template <typename Body>
-bool for_each_row(OpenMap& map, const Progress& progress, const Body& body) {
-  const int h = map.height();
+void for_each_band(OpenMap& map, const Progress& progress, const Body& body) {
+  const int h = map.height(), band = rows_of_band(map.width());
   TexelRows rows, next;
-  std::array<bool, kLanes> go_on;
-  go_on.fill(true);
   const auto read = [&](int y, TexelRows& to) {
-    if (y < h) map.read_rows(y, std::min(kBandRows, h - y), to);
+    if (y < h) map.read_rows(y, std::min(band, h - y), to);
   };
   read(0, rows);
-  for (int y = 0; y < h; y += kBandRows) {
-    parallel_invoke([&] { read(y + kBandRows, next); },
-                    [&] {
-                      parallel_for(kLanes, [&](std::size_t lane) {
-                        const int end = int(lane + 1) * rows.count / kLanes;
-                        for (int r = int(lane) * rows.count / kLanes; r < end && go_on[lane]; r++)
-                          go_on[lane] = body(lane, rows, r);
-                      });
-                    });
-    if (std::ranges::find(go_on, false) != go_on.end()) return false;
+  for (int y = 0; y < h; y += band) {
+    parallel_invoke([&] { read(y + band, next); }, [&] { body(rows); });
     report_progress(progress, double(y + rows.count) / h);
     std::swap(rows, next);
   }
-  return true;
+}
+
+// Calls body(lane, y) for each row y, the lanes side by side.
+template <typename Lanes, typename Body>
+void for_each_row(const TexelRows& rows, Lanes& lanes, const Body& body) {
+  const int count = int(lanes.size());
+  parallel_for(lanes.size(), [&](std::size_t lane) {
+    for (int y = int(lane) * rows.count / count; y < int(lane + 1) * rows.count / count; y++) body(lanes[lane], y);
+  });
 }
 
 }  // namespace
 
 struct NormalCounts::Lane {
   KeyTable counted, masked;  // texels of each key
+};
+
+struct NormalCounts::BinLane {
+  NormalBins bins;
+  Texels texels;
 };
 
 NormalCounts::NormalCounts(NormalBins bins, std::uint64_t invalid) : bins_(std::move(bins)) {
@@ -67,16 +73,23 @@ std::vector<NormalCounts::Texels> NormalCounts::add(MapSet& maps, const Progress
 
 NormalCounts::Texels NormalCounts::add(OpenMap& map, const Progress& progress) {
   const Texels before = texels_;
-  std::vector<Lane> lanes(bins_ ? 0 : kLanes);
-  if (bins_ || !count(map, progress, lanes)) {
-    if (!bins_) change_to_bins();
-    lanes.clear();
-    count_in_bins(map, progress);
-  }
-  for (const Lane& lane : lanes) {
-    place_.reserve(std::max(lane.counted.size(), lane.masked.size()));
-    lane.counted.for_each([&](std::uint64_t key, std::uint32_t n) { add({key, n, 0}); });
-    lane.masked.for_each([&](std::uint64_t key, std::uint32_t n) { add({key, 0, n}); });
+  std::vector<Lane> lanes(kLanes);
+  std::vector<BinLane> bin_lanes;
+  for_each_band(map, progress, [&](const TexelRows& rows) {
+    if (bins_) {
+      if (bin_lanes.empty()) bin_lanes.resize(kBinLanes, {NormalBins(bins_->shift()), {}});
+      return count_in_bins(rows, bin_lanes);
+    }
+    count(rows, lanes);
+    std::size_t keys = 0;
+    for (const Lane& lane : lanes) keys += lane.counted.size() + lane.masked.size();
+    if (keys > kMostKeys) take(lanes);
+  });
+  take(lanes);
+  for (BinLane& lane : bin_lanes) {
+    bins_->add(lane.bins);
+    texels_.counted += lane.texels.counted, texels_.invalid += lane.texels.invalid;
+    lane.bins = NormalBins();
   }
   return {texels_.counted - before.counted, texels_.invalid - before.invalid};
 }
@@ -122,44 +135,44 @@ std::vector<NormalCounts::Key> NormalCounts::take_sorted_keys(KeyTable& numbers)
   return std::move(keys_);
 }
 
-// False, with lanes of no further use, where the keys are too many to be kept.
-bool NormalCounts::count(OpenMap& map, const Progress& progress, std::vector<Lane>& lanes) {
-  const int w = map.width();
-  return for_each_row(map, progress, [&](std::size_t number, const TexelRows& rows, int y) {
+void NormalCounts::count(const TexelRows& rows, std::vector<Lane>& lanes) {
+  for_each_row(rows, lanes, [&](Lane& lane, int y) {
     const std::uint64_t* keys = rows.row(y);
-    Lane& lane = lanes[number];
-    for (int x = 0; x < w;) {
+    for (int x = 0; x < rows.width;) {
       const int material = rows.material_at(x, y);
       const bool counts = rows.counts_at(x, y);
       KeyTable& table = counts ? lane.counted : lane.masked;
-      if (x + KeyTable::kAhead < w) table.prefetch(key(material, keys[x + KeyTable::kAhead]));
+      if (x + KeyTable::kAhead < rows.width) table.prefetch(key(material, keys[x + KeyTable::kAhead]));
       int end = x + 1;
-      while (end < w && keys[end] == keys[x] && rows.material_at(end, y) == material &&
+      while (end < rows.width && keys[end] == keys[x] && rows.material_at(end, y) == material &&
              rows.counts_at(end, y) == counts)
         end++;
       table[key(material, keys[x])] += std::uint32_t(end - x);
       x = end;
     }
-    return std::max(lane.counted.size(), lane.masked.size()) <= kMostKeys;
   });
 }
 
-void NormalCounts::count_in_bins(OpenMap& map, const Progress& progress) {
-  std::array<NormalBins, kLanes> lanes;
-  std::array<Texels, kLanes> of_lane{};
-  for_each_row(map, progress, [&](std::size_t lane, const TexelRows& rows, int y) {
+void NormalCounts::take(std::vector<Lane>& lanes) {
+  for (Lane& lane : lanes) {
+    if (!bins_) place_.reserve(std::max(lane.counted.size(), lane.masked.size()));
+    lane.counted.for_each([&](std::uint64_t key, std::uint32_t n) { add({key, n, 0}); });
+    lane.masked.for_each([&](std::uint64_t key, std::uint32_t n) { add({key, 0, n}); });
+    lane = {};
+  }
+}
+
+void NormalCounts::count_in_bins(const TexelRows& rows, std::vector<BinLane>& lanes) {
+  for_each_row(rows, lanes, [&](BinLane& lane, int y) {
     for (int x = 0; x < rows.width; x++) {
       bool invalid;
       const Vec3f n = TexelKeys::decode(rows.row(y)[x], invalid);
       const bool counts = rows.counts_at(x, y);
-      of_lane[lane].counted += counts;
-      of_lane[lane].invalid += invalid && counts;
-      lanes[lane].add(rows.material_at(x, y), counts, n);
+      lane.texels.counted += counts;
+      lane.texels.invalid += invalid && counts;
+      lane.bins.add(rows.material_at(x, y), counts, n);
     }
-    return true;
   });
-  for (const NormalBins& lane : lanes) bins_->add(lane);
-  for (const Texels& t : of_lane) texels_.counted += t.counted, texels_.invalid += t.invalid;
 }
 
 void NormalCounts::change_to_bins() {

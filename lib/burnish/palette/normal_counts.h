@@ -63,9 +63,12 @@ class NormalCounts {
 
  private:
   struct Lane;
+  struct BinLane;
   Texels add(OpenMap& map, const Progress& progress);
-  static bool count(OpenMap& map, const Progress& progress, std::vector<Lane>& lanes);
-  void count_in_bins(OpenMap& map, const Progress& progress);
+  static void count(const TexelRows& rows, std::vector<Lane>& lanes);
+  // What lanes have counted, which are empty then; changes to bins where it becomes too much.
+  void take(std::vector<Lane>& lanes);
+  static void count_in_bins(const TexelRows& rows, std::vector<BinLane>& lanes);
   void change_to_bins();
   bool add_to_bins(const Key& key);
 

@@ -14,7 +14,7 @@
 namespace burnish {
 namespace {
 
-constexpr std::size_t kKeepBytes = std::size_t(256) << 20;
+constexpr std::size_t kKeepBytes = std::size_t(128) << 20;
 constexpr int kOctahedralBits = 24, kVectorBits = 48;
 // The octahedral square leaves one number over: it marks vectors without a direction.
 constexpr std::uint64_t kInvalid = (std::uint64_t(1) << kVectorBits) - 1;
