@@ -9,6 +9,7 @@
 #include "burnish/core/codecs.h"
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
+#include "burnish/core/sound_header.h"
 #include "burnish/core/whole_image.h"
 
 namespace burnish {
@@ -44,6 +45,16 @@ std::string codec_from_signature(const FileRef& file) {
                    "expected an image (PNG, TIFF, EXR, JPEG, TGA, BMP, HDR or PNM), got something else");
 }
 
+// Texels that a byte of a file holds at most; none where the codec knows no bound.
+std::optional<std::size_t> most_texels_in_byte(const std::string& codec) {
+  constexpr std::size_t kBits = 8, kDeflate = 1032, kRunLengths = 128, kJpegBlock = 32 * 32;
+  if (codec == "png") return kBits * kDeflate;
+  if (codec == "jpeg") return kBits * kJpegBlock;
+  if (codec == "targa") return kRunLengths;
+  if (codec == "pnm") return kBits;
+  return std::nullopt;
+}
+
 }  // namespace
 
 struct ImageReader::Impl {
@@ -62,11 +73,23 @@ struct ImageReader::Impl {
   }
 
   void open() {
+    require_sound_header(file);
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     in = OIIO::ImageInput::create(codec);
     if (!in) throw file_error(ErrorKind::kUnsupported, file.name, "no codec for " + codec);
     if (!in->open(file.path, spec, config)) fail();
+  }
+
+  // Before anyone sets memory aside for what a header claims.
+  void require_room() const {
+    const std::optional<std::size_t> most = most_texels_in_byte(codec);
+    std::error_code unknown;
+    const std::uintmax_t bytes = std::filesystem::file_size(file.path, unknown);
+    if (most && !unknown && spec.image_pixels() / *most > bytes)
+      throw file_error(
+          ErrorKind::kMalformed, file.name,
+          "is too short for " + std::to_string(spec.width) + "x" + std::to_string(spec.height) + " texels");
   }
 
   void read(int first, int count, OIIO::TypeDesc type, void* out) {
@@ -120,6 +143,7 @@ ImageReader::ImageReader(const FileRef& file) : impl_(std::make_unique<Impl>()) 
                          std::to_string(spec.full_height));
   if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
     throw file_error(ErrorKind::kMalformed, file.name, "expected an image with texels, got none");
+  impl_->require_room();
 }
 
 ImageReader::~ImageReader() = default;

@@ -5,11 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "burnish/core/error.h"
+#include "burnish/core/sound_header.h"
 
 namespace burnish::detail {
 
 IndexFormat format_of(const FileRef& file) {
   require_readable(file);
+  require_sound_header(file);
   std::ifstream in(file.path, std::ios::binary);
   char head[12] = {};
   in.read(head, sizeof head);
