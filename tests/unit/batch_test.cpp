@@ -57,6 +57,13 @@ class Batch : public ::testing::Test {
 
 const std::string kNormals = "[[step]]\nname='n'\ntool='normals'\nfiles='**/*.png'\noutput='{dir}{stem}_n.png'\n";
 
+TEST_F(Batch, ErrorsAreOfOneLineWhateverIsQuoted) {
+  const std::string rest = kNormals.substr(kNormals.find("tool"));
+  EXPECT_ERROR(steps("[[step]]\nname = \"a\\nb\"\n" + rest), ErrorKind::kMalformed, "got 'a?b'");
+  EXPECT_ERROR(steps("\"a\\nb\" = 1\n" + kNormals), ErrorKind::kMalformed, "'a?b': unknown key");
+  EXPECT_ERROR(steps("a = t\n"), ErrorKind::kMalformed, "line 1: ");
+}
+
 TEST_F(Batch, ACommandForEachFile) {
   add_files({"b.png", "sub/a.png", "c.txt"});
   const std::vector<Job> made = jobs(kNormals + "arguments=['--wrap','repeat']\n");

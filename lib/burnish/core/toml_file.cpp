@@ -2,6 +2,8 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -55,7 +57,10 @@ std::optional<double> number_in(const toml::node& node, const NumberRange& range
   return value;
 }
 
-[[noreturn]] void fail_at(const std::string& file, int line, const std::string& message) {
+// In one line, though keys and texts may hold the end of one.
+[[noreturn]] void fail_at(const std::string& file, int line, std::string message) {
+  std::ranges::replace_if(
+      message, [](unsigned char c) { return std::iscntrl(c); }, '?');
   throw file_error(ErrorKind::kMalformed, file, "line " + std::to_string(line) + ": " + message);
 }
 
