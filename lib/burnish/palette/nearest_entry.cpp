@@ -47,7 +47,8 @@ NearestEntry::NearestEntry(std::span<const Vec3f> entries) : entries_(entries.be
   // Of equal entries only the first can win, and no division would part them.
   const auto place = [&](std::uint16_t i) { return std::tuple(entries_[i].x, entries_[i].y, entries_[i].z); };
   std::ranges::stable_sort(all, {}, place);
-  all.erase(std::ranges::unique(all, {}, place).begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end(), [&](std::uint16_t a, std::uint16_t b) { return place(a) == place(b); }),
+            all.end());
   std::ranges::sort(all);
   parallel_for(6, [&](std::size_t face) {
     FaceTree& tree = faces_[face];

@@ -109,7 +109,7 @@ DecimateStats measure(const Mesh& original, const Mesh& result) {
   std::vector<std::uint32_t> vertices;
   for (const Corners& triangle : original.triangles) vertices.insert(vertices.end(), triangle.begin(), triangle.end());
   std::ranges::sort(vertices);
-  vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   std::vector<double> distance(vertices.size());
   parallel_for(distance.size(), [&](std::size_t i) {
     const auto near = rays.nearest(original.positions[vertices[i]], std::numeric_limits<double>::max());
