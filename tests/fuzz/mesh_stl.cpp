@@ -1,0 +1,13 @@
+// Meshes in STL.
+#include "burnish/mesh/files/mesh_io.h"
+#include "target.h"
+
+namespace {
+
+using namespace burnish;
+
+void read(const FileRef& file) { read_mesh(file); }
+
+const fuzz::Target target("mesh_stl", "mesh.stl", read);
+
+}  // namespace
