@@ -139,6 +139,29 @@ END
   for map in all/*_n.exr; do same_bytes "$map" "made/$(basename "$map" _n.exr)_q.exr"; done
 }
 
+@test "more files in one run than a command line holds" {
+  mkdir many
+  burnish-normals in/waves.png -o n.png
+  for i in $(seq 700); do ln n.png "many/$(printf "it's of a long name %0160d" "$i").png"; done
+  cat >many.toml <<'TOML'
+[[step]]
+name = "histogram"
+tool = "quantize"
+files = "*.png"
+together = true
+output = "all.histogram"
+arguments = ["{input}", "--histogram-output", "{output}"]
+TOML
+  succeeds burnish-batch many.toml --directory many --build-dir made --report r.json
+  [ "$(value ran r.json)" = 1 ]
+  [ ! -e made/all.histogram.arguments ]
+  burnish-quantize n.png --histogram-output one.histogram --report one.json
+  burnish-quantize --histograms made/all.histogram -n 16 --palette-output p.exr --report all.json
+  [ "$(value texels all.json)" = "$((700 * $(value texels one.json)))" ]
+  succeeds burnish-batch many.toml --directory many --build-dir made --report r.json
+  [ "$(value ran r.json)" = 0 ]
+}
+
 @test "what is refused, and leaves nothing" {
   refuses 2 "'none.toml'" burnish-batch none.toml
   refuses 2 "'none': is not a directory" burnish-batch r.toml --directory none

@@ -6,6 +6,7 @@
 
 #include "burnish/batch/glob.h"
 #include "burnish/batch/ninja_file.h"
+#include "burnish/core/shell_quoted.h"
 #include "expect_error.h"
 #include "scratch_dir.h"
 
@@ -160,6 +161,16 @@ TEST_F(Batch, WhatARecipeMayNotSay) {
   EXPECT_ERROR(read_recipe(dir_ / "none.toml"), ErrorKind::kIo, "none.toml");
 }
 
+TEST(ShellWords, ComeBackFromTheirQuotes) {
+  const std::vector<std::string> words{"plain", "it's $5", "", "a\nb", "\"", "\\", "-o", "\t x "};
+  std::string text = "\n ";
+  for (const std::string& word : words) text += shell_quoted(word) + (word.empty() ? "\n" : "  ");
+  EXPECT_EQ(shell_words(text), words);
+  EXPECT_EQ(shell_words("a\\ b \"c \\\" 'd'\"e"), (std::vector<std::string>{"a b", "c \" 'd'e"}));
+  EXPECT_EQ(shell_words(" "), std::vector<std::string>{});
+  EXPECT_EQ(shell_words("a 'b"), std::nullopt);
+}
+
 TEST(NinjaFile, NamesThatNinjaAndShellsRead) {
   Job job{"s", "", {"burnish-x", "it's $5", "-o", "a b"}, {"in: 1"}, {"a b"}, "a b.d"};
   const std::string text = ninja_text({job}, "/opt/b", "nice -n 19", ".");
@@ -167,6 +178,12 @@ TEST(NinjaFile, NamesThatNinjaAndShellsRead) {
                       "  run = nice -n 19 /opt/b/burnish-x 'it'\\''s $$5' -o 'a b'\n  deps = gcc\n  depfile = a b.d\n"),
             std::string::npos)
       << text;
+  job.command.insert(job.command.end(), 20000, "a 'b");  // more than an argument holds
+  const std::string by_file = ninja_text({job}, "/opt/b", "nice -n 19", ".");
+  EXPECT_NE(by_file.find("\n  run = nice -n 19 /opt/b/burnish-x --arguments-from 'a b.arguments'\n"
+                         "  rspfile = a b.arguments\n  rspfile_content = 'it'\\''s $$5' -o 'a b' 'a '\\''b' "),
+            std::string::npos)
+      << by_file.substr(0, 500);
   job.outputs[0] = "a\nb";
   EXPECT_ERROR(ninja_text({job}, "/opt/b", "", "."), ErrorKind::kUnsupported, "newline");
 }

@@ -55,6 +55,27 @@ std::string parse_message(const CLI::ParseError& error) {
          said.substr(value + between.size()) + "'";
 }
 
+constexpr const char* kArgumentsFrom = "--arguments-from";
+
+// With those that files hold in the places of the files.
+std::vector<std::string> with_arguments_of_files(const std::vector<std::string>& words) {
+  std::vector<std::string> all;
+  const std::string option = kArgumentsFrom;
+  for (std::size_t i = 0; i < words.size(); i++) {
+    std::string file;
+    if (words[i].starts_with(option + "=")) file = words[i].substr(option.size() + 1);
+    else if (words[i] == option && i + 1 < words.size()) file = words[++i];
+    else {
+      all.push_back(words[i]);
+      continue;
+    }
+    const std::optional<std::vector<std::string>> more = shell_words(read_file(file));
+    if (!more) throw file_error(ErrorKind::kMalformed, file, "expected quotes in pairs, got one that stays open");
+    all.insert(all.end(), more->begin(), more->end());
+  }
+  return all;
+}
+
 void spool_standard_input(const std::string& path) {
   std::ofstream out(path, std::ios::binary);
   std::vector<char> buffer(1 << 20);
@@ -90,6 +111,11 @@ Tool::Tool(const ToolText& text, Libraries (*libraries)())
       ->type_name("FILE")
       ->group("Common");
   app_.add_option("--depfile", depfile_, "Write what was read, in the syntax of Make")
+      ->type_name("FILE")
+      ->group("Common");
+  app_.add_option_function<std::string>(
+          kArgumentsFrom, [](const std::string&) {},  // never left when it is parsed
+          "Read more arguments, quoted as for a shell, from FILE: more than a command line holds")
       ->type_name("FILE")
       ->group("Common");
 }
@@ -177,7 +203,13 @@ int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
       return fail(kUsage, error.what());
     }
   try {
-    app_.parse(argc, argv);
+    std::vector<std::string> all = with_arguments_of_files(arguments_);
+    std::vector<char*> words;
+    for (std::string& word : all) words.push_back(word.data());
+    words[0] = argv[0];
+    app_.parse(int(words.size()), words.data());
+  } catch (const Error& error) {
+    return fail(exit_code(error.kind()), error.what());
   } catch (const CLI::Success& request) {  // --help, --version
     app_.exit(request, std::cout, std::cerr);
     return print("");

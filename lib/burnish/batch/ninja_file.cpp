@@ -34,10 +34,20 @@ std::string shell_command(const std::vector<std::string>& words) {
   return all;
 }
 
-std::string command_of(const Job& job, const std::string& tools, const std::string& launcher) {
-  std::vector<std::string> words = job.command;
+namespace {
+
+// Longer than an argument may be on Linux (128 KiB), less what stands before: the tool reads them from a file then.
+constexpr std::size_t kLongestCommand = 100000;
+
+std::string command_line(std::vector<std::string> words, const std::string& tools, const std::string& launcher) {
   words[0] = tools + "/" + words[0];
   return (launcher.empty() ? "" : launcher + " ") + shell_command(words);
+}
+
+}  // namespace
+
+std::string command_of(const Job& job, const std::string& tools, const std::string& launcher) {
+  return command_line(job.command, tools, launcher);
 }
 
 std::string ninja_text(const std::vector<Job>& jobs, const std::string& tools, const std::string& launcher,
@@ -52,7 +62,16 @@ std::string ninja_text(const std::vector<Job>& jobs, const std::string& tools, c
     for (const std::string& output : job.outputs) text += " " + path(output);
     text += ": run |";
     for (const std::string& input : job.inputs) text += " " + path(input);
-    text += " " + path(tools + "/" + job.command[0]) + "\n  run = " + value(command_of(job, tools, launcher)) + "\n";
+    text += " " + path(tools + "/" + job.command[0]) + "\n";
+    const std::string command = command_of(job, tools, launcher);
+    if (command.size() <= kLongestCommand) {
+      text += "  run = " + value(command) + "\n";
+    } else {
+      const std::string file = job.outputs[0] + ".arguments";
+      const std::vector<std::string> arguments(job.command.begin() + 1, job.command.end());
+      text += "  run = " + value(command_line({job.command[0], "--arguments-from", file}, tools, launcher)) +
+              "\n  rspfile = " + value(file) + "\n  rspfile_content = " + value(shell_command(arguments)) + "\n";
+    }
     if (!job.depfile.empty()) text += "  deps = gcc\n  depfile = " + value(job.depfile) + "\n";
   }
   return text;
