@@ -1,5 +1,6 @@
 // What images say beside their texels: lookup tables, polynomial texture maps and material textures, of which t, b and
 // n each stand beside two sound ones of Ward's model.
+#include <algorithm>
 #include <vector>
 
 #include "burnish/brdf/tables/table_file.h"
@@ -26,9 +27,11 @@ struct SoundTextures {
 void read_ptm(const FileRef& file) {
   const auto rows = open_ptm_exr(file);
   const PtmShape& shape = rows->shape();
-  std::vector<float> coefficients(std::size_t(shape.width) * shape.polynomials() * kPtmTerms),
-      colour(std::size_t(shape.width) * shape.colours());
-  for (int y = 0; y < shape.height; y++) rows->read(y, 1, coefficients.data(), colour.data());
+  constexpr int kRows = 16;
+  std::vector<float> coefficients(std::size_t(shape.width) * kRows * shape.polynomials() * kPtmTerms),
+      colour(std::size_t(shape.width) * kRows * shape.colours());
+  for (int y = 0; y < shape.height; y += kRows)
+    rows->read(y, std::min(kRows, shape.height - y), coefficients.data(), colour.data());
 }
 
 // Of several readers one may take the file.
@@ -46,7 +49,6 @@ void read(const FileRef& file) {
   attempt([&] { read_table(file); });
   attempt([&] { read_ptm(file); });
   attempt([&] { read_material_textures(file, sound.b.ref(), sound.n.ref()); });
-  attempt([&] { read_material_textures(sound.t.ref(), file, sound.n.ref()); });
   read_material_textures(sound.t.ref(), sound.b.ref(), file);
 }
 

@@ -1,6 +1,7 @@
 // Photographs: JPEG through libjpeg, others through OpenImageIO.
 #include "burnish/ptm/photos/photo.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "target.h"
@@ -11,8 +12,10 @@ using namespace burnish;
 
 template <typename Sample>
 void read_all(Photo& photo) {
-  std::vector<Sample> row(std::size_t(photo.form().width) * 3);
-  for (int y = 0; y < photo.form().height; y++) photo.read(1, row.data());
+  constexpr int kRows = 16;
+  const int width = photo.form().width, height = photo.form().height;
+  std::vector<Sample> rows(std::size_t(width) * kRows * 3);
+  for (int y = 0; y < height; y += kRows) photo.read(std::min(kRows, height - y), rows.data());
 }
 
 void read(const FileRef& file) {
