@@ -218,6 +218,8 @@ PYTHON
   refuses 1 "NORMAL does not go with --histograms" burnish-quantize maps/a.png --histograms a --palette-output p.exr
   refuses 1 "--histograms needs --palette-output" burnish-quantize --histograms a
   refuses 1 "'a' is given twice" burnish-quantize --histograms a a --palette-output p.exr
+  refuses 1 "'./a' is given twice" burnish-quantize --histograms a ./a --palette-output p.exr
+  refuses 1 "expected files, got the option -n" burnish-quantize --histograms -n 16 --palette-output p.exr
   cp a p.exr
   refuses 1 "'p.exr': is an input" burnish-quantize --histograms p.exr --palette-output p.exr
   rm p.exr

@@ -37,6 +37,16 @@ TEST(Mip, TapsStayInsideAndSumToTheirTotal) {
     }
 }
 
+// Beyond 2^31 texels, both sides odd.
+TEST(Mip, WeightsOfLargeImagesMultiply) {
+  const MipTaps t = mip_taps(65535, 5);
+  EXPECT_EQ(t.total * t.total, std::int64_t(65535) * 65535);
+  std::int64_t sum = 0;
+  for (int j = 0; j < t.count; j++)
+    for (int i = 0; i < t.count; i++) sum += t.weight[i] * t.weight[j];
+  EXPECT_EQ(sum, t.total * t.total);
+}
+
 TEST(Mip, EveryFinerTexelCountsTheSame) {
   for (int n = 1; n <= 300; n++) {
     const int m = next_level_size(n);

@@ -1,5 +1,6 @@
 // Normal maps to a histogram, and histograms to a palette.
-#include <algorithm>
+#include <filesystem>
+#include <set>
 
 #include "burnish/core/wording.h"
 #include "burnish/palette/shared_palette.h"
@@ -35,11 +36,17 @@ Json fit_to_histograms(Tool& tool, const QuantizeFiles& o) {
          {"NORMAL", "--histogram-output", "--output", "--output-type", "--output-dir", "--extension", "--format",
           "--material", "--mask", "--palette", "--emit-rgb", "--dither", "--dither-amount", "--y", "--encoding",
           "--channels"});
+  for (const std::string& path : o.histograms)
+    if (path.size() > 1 && path[0] == '-') throw usage("--histograms: expected files, got the option " + path);
   if (o.output.palette_path.empty()) throw usage("--histograms needs --palette-output");
   const FileType type = o.output.palette_type();
   std::vector<FileRef> files;
+  std::set<std::filesystem::path> seen;
   for (const std::string& path : o.histograms) {
-    if (std::ranges::count(o.histograms, path) > 1) throw usage("--histograms: '" + path + "' is given twice");
+    std::error_code is_no_file;
+    const std::filesystem::path canonical = std::filesystem::canonical(path, is_no_file);
+    if (!is_no_file && !seen.insert(canonical).second)
+      throw usage("--histograms: '" + path + "' is given twice");
     files.push_back(tool.read(path));
   }
   const FileRef file = tool.write(o.output.palette_path);

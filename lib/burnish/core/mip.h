@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 #include "burnish/core/error.h"
@@ -32,10 +33,11 @@ inline int levels_to_make(int width, int height, int asked) {
                                      "x" + std::to_string(height) + " texels, got " + std::to_string(asked));
 }
 
-// Texels first … first + count − 1 of the finer level, along one side; their weights sum to `total`.
+// Texels first … first + count − 1 of the finer level, along one side; their weights sum to `total`. Products of two
+// sides' weights are beyond an int where both sides are odd and long.
 struct MipTaps {
-  int first, count, total;
-  int weight[3];
+  int first, count;
+  std::int64_t total, weight[3];
 };
 
 inline MipTaps mip_taps(int finer_size, int i) {

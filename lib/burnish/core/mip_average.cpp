@@ -21,7 +21,7 @@ void mean_row(const Row& row, const MipTaps& v, int finer_width, int channels, f
         const float* from = finer[j] + std::size_t(u.first + i) * channels;
         for (int c = 0; c < channels; c++) to[c] += from[c] * float(u.weight[i] * v.weight[j]);
       }
-    for (int c = 0; c < channels; c++) to[c] /= float(std::int64_t(u.total) * v.total);
+    for (int c = 0; c < channels; c++) to[c] /= float(u.total * v.total);
   }
 }
 

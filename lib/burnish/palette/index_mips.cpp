@@ -66,7 +66,7 @@ struct Level {
 // The normals below a texel, summed up by material.
 struct Cover {
   int material = 0;  // position of its interval
-  int weight = 0;
+  std::int64_t weight = 0;
   Vec3d sum;
   int first = 0;  // index of the first texel of it
 };
@@ -206,7 +206,8 @@ class Cascade {
     int used = 0;
     for (int j = 0; j < v.count; j++)
       for (int i = 0; i < u.count; i++) {
-        const int index = finer.index.row(v.first + j)[u.first + i], weight = u.weight[i] * v.weight[j];
+        const int index = finer.index.row(v.first + j)[u.first + i];
+        const std::int64_t weight = u.weight[i] * v.weight[j];
         const int material = palette_.materials.size() == 1 ? 0 : palette_.interval_of(index);
         int c = 0;
         while (c < used && covers[c].material != material) c++;

@@ -55,11 +55,11 @@ void IndexedMapReader::read_rows(int level, int first, int count, std::uint16_t*
 }
 
 void IndexedMapReader::check() {
-  constexpr int kRows = 256;
-  std::vector<std::uint16_t> rows(std::size_t(width()) * kRows);
+  constexpr std::size_t kTexels = std::size_t(1) << 20;
+  const int band = int(std::clamp<std::size_t>(kTexels / width(), 1, height()));
+  std::vector<std::uint16_t> rows(std::size_t(width()) * band);
   for (int l = 0; l < levels(); l++)
-    for (int y = 0, h = level_size(height(), l); y < h; y += kRows)
-      read_rows(l, y, std::min(kRows, h - y), rows.data());
+    for (int y = 0, h = level_size(height(), l); y < h; y += band) read_rows(l, y, std::min(band, h - y), rows.data());
 }
 
 IndexedMapWriter::IndexedMapWriter(const FileRef& file, FileType type, const Palette& palette, int width, int height,

@@ -15,9 +15,10 @@ std::size_t rows_of_sum(int width) {
 }
 
 // Of a band: enough for all threads, and of wide maps no more than it takes.
-int rows_of_band(int width) {
+int rows_of_band(int width, Dither dither) {
   constexpr std::size_t kTexels = std::size_t(1) << 22;
-  return kDotBandRows * int(std::clamp<std::size_t>(kTexels / kDotBandRows / width, 1, 4));
+  const std::size_t step = dither == Dither::kBlueNoise ? kDotBandRows : 1;
+  return int(step * std::clamp<std::size_t>(kTexels / step / width, 1, 512 / step));
 }
 
 double angle_to(Vec3f normal, Vec3f entry) { return angle_rad(Vec3d(normal), Vec3d(entry)); }
@@ -87,7 +88,7 @@ Mapper::Mapper(const Histogram& histogram, const Palette& palette, const std::st
 }
 
 AngleStats Mapper::run(OpenMap& map, const IndexRowSink& sink, const Progress& progress) const {
-  const int w = map.width(), h = map.height(), band = rows_of_band(w);
+  const int w = map.width(), h = map.height(), band = rows_of_band(w, dither_);
   TexelRows here, below, ahead;  // below: that error diffusion may look down
   std::vector<std::uint16_t> made, written;
   const auto read = [&](int y, TexelRows& to) {

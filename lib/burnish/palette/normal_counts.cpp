@@ -96,7 +96,7 @@ NormalCounts::Texels NormalCounts::add(OpenMap& map, const Progress& progress) {
 
 void NormalCounts::add(const NormalCounts& other) {
   if (other.exact()) {
-    place_.reserve(other.keys_.size());
+    if (!bins_) place_.reserve(other.keys_.size());
     for (const Key& key : other.keys_) add(key);
     return;
   }

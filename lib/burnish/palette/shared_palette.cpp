@@ -30,7 +30,11 @@ SharedPalette fit_shared_palette(const std::vector<FileRef>& files, const Palett
   for (std::size_t i = 0; i < files.size(); i++) {
     const HistogramFile file = read_histogram(files[i]);
     out.spaces.push_back({files[i].name, file.space});
-    counts.add(file.counts);
+    try {
+      counts.add(file.counts);
+    } catch (const Error& too_much) {
+      throw file_error(too_much.kind(), files[i].name, too_much.what());
+    }
     report_progress(progress, 0.3 * double(i + 1) / double(files.size()));
   }
   if (!space) space = agreed_space(out.spaces).value_or(NormalSpace::kTangent);

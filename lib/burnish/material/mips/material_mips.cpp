@@ -176,7 +176,7 @@ class Pyramid {
         float* wanted = &to.wanted[x * wanted_];
         for (int j = 0; j < v.count; j++)
           for (int i = 0; i < u.count; i++) {
-            const double weight = double(u.weight[i] * v.weight[j]) / (u.total * v.total);
+            const double weight = double(u.weight[i] * v.weight[j]) / double(u.total * v.total);
             const Below from = at(j, u.first + i, scratch);
             to.moments[x].add(from.moments, weight);
             for (std::size_t p = 0; p < wanted_; p++) wanted[p] += float(weight) * from.wanted[p];

@@ -68,8 +68,10 @@ class Numbers {
 };
 
 std::string inflated(const FileRef& file, const std::string& bytes, std::size_t from) {
-  constexpr std::size_t kMostRatio = 1032;  // of deflate
+  constexpr std::size_t kMostRatio = 1032;                  // of deflate
+  constexpr std::size_t kMostSize = std::size_t(64) << 20;  // all keys, their steps and counts as long as can be
   const std::uint64_t size = u64_at(bytes, from);
+  if (size > kMostSize) throw damaged(file, "at most " + std::to_string(kMostSize) + " bytes", std::to_string(size));
   const std::size_t packed = bytes.size() - from - sizeof size;
   if (size > packed * kMostRatio)
     throw damaged(file, "at most " + std::to_string(packed * kMostRatio) + " bytes in " + std::to_string(packed),
@@ -193,7 +195,7 @@ NormalCounts take_bins(const FileRef& file, Numbers& in) {
 }  // namespace
 
 HistogramFile read_histogram(const FileRef& file) {
-  const std::string bytes = read_file(file);
+  const std::string bytes = read_file(file, std::size_t(64) << 20);
   if (!bytes.starts_with(kName))
     throw damaged(file, "a histogram, as --histogram-output writes it", "'" + excerpt(bytes.substr(0, 18)) + "'");
   const std::size_t from = kName.size() + kVersion.size();

@@ -27,7 +27,6 @@ class PngSource final : public IndexSource {
   PngSource(const FileRef& file, GreenAxis green) : file_(file) {
     open();
     palette = palette_of(*in_, file, green);
-    width = int(png_get_image_width(in_->png, in_->info)), height = int(png_get_image_height(in_->png, in_->info));
   }
 
   void read_rows(int, int first, int count, std::uint16_t* out) override {
@@ -55,6 +54,11 @@ class PngSource final : public IndexSource {
     png_read_update_info(in_->png, in_->info);
     row_bytes_ = png_get_rowbytes(in_->png, in_->info);
     next_row_ = 0;
+    const auto size =
+        std::pair(int(png_get_image_width(in_->png, in_->info)), int(png_get_image_height(in_->png, in_->info)));
+    if (width > 0 && size != std::pair(width, height))
+      throw file_error(ErrorKind::kIo, file_.name, "has changed while it was read");
+    width = size.first, height = size.second;
   }
 
   void widen(const png_byte* row, std::uint16_t* out) const {
