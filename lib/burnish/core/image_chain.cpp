@@ -1,14 +1,13 @@
 #include "burnish/core/image_chain.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 
 #include "burnish/core/checked_output.h"
 #include "burnish/core/codecs.h"
 #include "burnish/core/error.h"
 #include "burnish/core/mip.h"
-#include "burnish/core/spill_file.h"
+#include "burnish/core/waiting_levels.h"
 
 namespace burnish {
 
@@ -24,46 +23,6 @@ namespace {
 
 constexpr int kTile = 64;
 
-// The levels beyond the base, which a file takes only after it, in the file's samples.
-class WaitingLevels {
- public:
-  WaitingLevels(const FileRef& file, SampleType sample, int width, int height, int channels, int levels)
-      : type_(to_oiio(sample)), spilled_(std::filesystem::path(file.path).parent_path().string()) {
-    std::size_t at = 0;
-    for (int l = 1; l < levels; l++) {
-      width = next_level_size(width), height = next_level_size(height);
-      const std::size_t row_bytes = std::size_t(width) * channels * type_.size();
-      levels_.push_back({width, height, row_bytes, at, at});
-      at += row_bytes * height;
-    }
-  }
-
-  struct Level {
-    int width, height;
-    std::size_t row_bytes, first, next;  // where its rows are, and the next one will be
-  };
-  const std::vector<Level>& levels() const { return levels_; }
-
-  void append(int level, int count, const float* rows) {
-    Level& to = levels_[level - 1];
-    bytes_.resize(to.row_bytes * count);
-    OIIO::convert_pixel_values(OIIO::TypeFloat, rows, type_, bytes_.data(), int(bytes_.size() / type_.size()));
-    spilled_.write(to.next, bytes_.data(), bytes_.size());
-    to.next += bytes_.size();
-  }
-  const std::byte* rows(const Level& of, int first, int count) {
-    bytes_.resize(of.row_bytes * count);
-    spilled_.read(of.first + of.row_bytes * first, bytes_.data(), bytes_.size());
-    return bytes_.data();
-  }
-
- private:
-  OIIO::TypeDesc type_;
-  SpillFile spilled_;
-  std::vector<Level> levels_;
-  std::vector<std::byte> bytes_;
-};
-
 // All levels, in tiles.
 class TiledChain {
  public:
@@ -71,7 +30,8 @@ class TiledChain {
              const Attributes& attributes, const std::vector<std::string>& channel_names)
       : out_(file, FileType::kExr),
         spec_(out_.spec(sample, width, height, channels, attributes)),
-        waiting_(file, sample, width, height, channels, levels) {
+        waiting_(file, width, height, levels, std::size_t(channels) * spec_.format.size()),
+        levels_(levels) {
     if (!channel_names.empty()) spec_.channelnames = channel_names;
     spec_.tile_width = spec_.tile_height = kTile;
     spec_.attribute("textureformat", "Plain Texture");  // mip levels, rounded down
@@ -80,7 +40,7 @@ class TiledChain {
 
   void write_rows(int level, int count, const float* rows) {
     if (level == 0) write_base(count, rows);
-    else waiting_.append(level, count, rows);
+    else append(level, count, rows);
   }
   void close() {
     tiles_ = {};
@@ -106,14 +66,25 @@ class TiledChain {
       tiles_first_ += wanted, tiles_rows_ = 0;
     }
   }
+  void append(int level, int count, const float* rows) {
+    const std::size_t row_samples = std::size_t(level_size(spec_.width, level)) * spec_.nchannels;
+    std::vector<std::byte> row(row_samples * spec_.format.size());
+    for (; count > 0; count--, rows += row_samples) {
+      OIIO::convert_pixel_values(OIIO::TypeFloat, rows, spec_.format, row.data(), int(row_samples));
+      waiting_.append(level, 1, row.data());
+    }
+  }
   void write_waiting() {
-    for (const WaitingLevels::Level& level : waiting_.levels()) {
+    for (int l = 1; l < levels_; l++) {
       OIIO::ImageSpec coarser = spec_;
-      coarser.width = coarser.full_width = level.width, coarser.height = coarser.full_height = level.height;
+      coarser.width = coarser.full_width = level_size(spec_.width, l);
+      coarser.height = coarser.full_height = level_size(spec_.height, l);
       out_.open(coarser, OIIO::ImageOutput::AppendMIPLevel);
-      for (int y = 0; y < level.height; y += kTile) {
-        const int end = std::min(y + kTile, level.height);
-        write_tiles(coarser, y, end, waiting_.rows(level, y, end - y));
+      std::vector<std::byte> rows(std::size_t(coarser.width) * coarser.nchannels * coarser.format.size() * kTile);
+      for (int y = 0; y < coarser.height; y += kTile) {
+        const int count = std::min(kTile, coarser.height - y);
+        waiting_.read(l, y, count, rows.data());
+        write_tiles(coarser, y, y + count, rows.data());
       }
     }
   }
@@ -124,6 +95,7 @@ class TiledChain {
   detail::CheckedOutput out_;
   OIIO::ImageSpec spec_;
   WaitingLevels waiting_;
+  int levels_;
   std::vector<std::byte> tiles_;  // of the base, a row of tiles that is not complete
   int tiles_first_ = 0, tiles_rows_ = 0;
 };

@@ -3,11 +3,10 @@
 #include <ImfTiledOutputFile.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 
 #include "burnish/core/mip.h"
-#include "burnish/core/spill_file.h"
+#include "burnish/core/waiting_levels.h"
 #include "burnish/palette/files/exr_file.h"
 #include "burnish/palette/files/indexed_files.h"
 
@@ -62,7 +61,7 @@ class TiledTarget final : public IndexTarget {
       : stream_(file),
         width_(shape.width),
         height_(shape.height),
-        waiting_(std::filesystem::path(file.path).parent_path().string()) {
+        waiting_(file, shape.width, shape.height, shape.levels, sizeof(std::uint16_t)) {
     Imf::Header header = header_of(shape);
     header.setTileDescription(Imf::TileDescription(kTile, kTile, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN));
     stream_.guard([&] { out_.emplace(stream_, header); });
@@ -70,14 +69,11 @@ class TiledTarget final : public IndexTarget {
       throw file_error(ErrorKind::kUnsupported, file.name,
                        "EXR holds one level or all " + std::to_string(out_->numLevels()) + ", not " +
                            std::to_string(shape.levels) + " (--split writes any number)");
-    for (int l = 0; l < shape.levels; l++) next_.push_back(bytes_before(l));
   }
 
   void write_rows(int level, int count, const std::uint16_t* rows) override {
-    if (level == 0) return write_level_rows(0, count, rows);
-    const std::size_t bytes = row_bytes(level) * count;
-    waiting_.write(next_[level], rows, bytes);
-    next_[level] += bytes;
+    if (level == 0) write_level_rows(0, count, rows);
+    else waiting_.append(level, count, rows);
   }
 
   void close() override {
@@ -87,7 +83,7 @@ class TiledTarget final : public IndexTarget {
       std::vector<std::uint16_t> rows(std::size_t(level_size(width_, level)) * std::min(h, kRows));
       for (int y = 0; y < h; y += kRows) {
         const int n = std::min(kRows, h - y);
-        waiting_.read(bytes_before(level) + row_bytes(level) * y, rows.data(), row_bytes(level) * n);
+        waiting_.read(level, y, n, rows.data());
         write_level_rows(level, n, rows.data());
       }
     }
@@ -96,14 +92,6 @@ class TiledTarget final : public IndexTarget {
   }
 
  private:
-  std::size_t row_bytes(int level) const { return sizeof(std::uint16_t) * level_size(width_, level); }
-  // Of the levels from 1 on, where they wait.
-  std::size_t bytes_before(int level) const {
-    std::size_t bytes = 0;
-    for (int l = 1; l < level; l++) bytes += row_bytes(l) * level_size(height_, l);
-    return bytes;
-  }
-
   // The next rows of the level that is written: whole rows of tiles as soon as they are complete.
   void write_level_rows(int level, int count, const std::uint16_t* rows) {
     const int w = level_size(width_, level), h = level_size(height_, level);
@@ -126,9 +114,8 @@ class TiledTarget final : public IndexTarget {
   ExrStream stream_;
   std::optional<Imf::TiledOutputFile> out_;
   int width_, height_;
-  SpillFile waiting_;              // the levels from 1 on
-  std::vector<std::size_t> next_;  // where in it the next row of each goes
-  int first_ = 0;                  // row of band_ in the level that is written
+  WaitingLevels waiting_;
+  int first_ = 0;  // row of band_ in the level that is written
   std::vector<std::uint32_t> band_;
 };
 
