@@ -266,6 +266,14 @@ TEST(ImageIo, ABigTiffIsATiff) {
   EXPECT_EQ(read_image(dir / "big.tif").data, (std::vector<float>{0, 1}));
 }
 
+TEST(ImageIo, MoreRowsThanAnImageHasAreRefused) {
+  const ScratchDir dir;
+  const std::vector<float> rows(4 * 9);
+  ImageWriter writer(dir / "x.png", FileType::kPng, SampleType::kUint8, 4, 8, 1);
+  writer.write_rows(5, rows.data());
+  EXPECT_ERROR(writer.write_rows(4, rows.data()), ErrorKind::kInternal, "8 rows");
+}
+
 TEST(ImageIo, WhatCannotBeReadSaysWhy) {
   const ScratchDir dir;
   EXPECT_ERROR(read_image(dir / "missing.png"), ErrorKind::kIo, "missing.png': cannot be read");

@@ -4,6 +4,7 @@
 
 #include "burnish/core/checked_output.h"
 #include "burnish/core/codecs.h"
+#include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
 #include "burnish/core/samples.h"
 
@@ -29,6 +30,8 @@ struct ImageWriter::Impl {
     const std::byte* from = static_cast<const std::byte*>(rows);
     while (count > 0) {
       const int have = int(pending.size() / row_bytes), left = spec.height - next;
+      if (left == 0)
+        throw Error(ErrorKind::kInternal, "an image of " + std::to_string(spec.height) + " rows was given more");
       int some = std::min(have + count, left);
       if (some < left) some = some / kAtOnce * kAtOnce;  // that can be put now
       if (have == 0 && some > 0) {
