@@ -1,17 +1,11 @@
 // NVIDIA's measured reflectance.
-#include "burnish/brdf/measured/measured_brdf.h"
+#include "measured_surface.h"
 #include "target.h"
 
 namespace {
 
 using namespace burnish;
 
-void read(const FileRef& file) {
-  const auto brdf = read_measured_brdf(file);
-  brdf->reflected({0, 0, 1}, normalized(Vec3d{0.3, -0.2, 0.6}));
-  brdf->reflected(normalized(Vec3d{1, 0, 1e-6}), normalized(Vec3d{-1, 1e-6, 1e-6}));
-}
-
-const fuzz::Target target("brdf_mbsdf", "surface.mbsdf", read);
+const fuzz::Target target("brdf_mbsdf", "surface.mbsdf", fuzz::read_measured_surface);
 
 }  // namespace
