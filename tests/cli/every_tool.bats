@@ -75,6 +75,24 @@ teardown() {
   refuses 1 "--output" burnish-normals h.png
 }
 
+@test "--arguments-from: more arguments, in its place" {
+  burnish-normals "$BURNISH_SOURCE_DIR/samples/cmake/textures/waves.png" -o n.png
+  printf "n.png -n '16'\n-o \"q x.exr\"" >a
+  succeeds burnish-quantize --arguments-from a --report r.json
+  grep -q '"q x.exr"' r.json && ! grep -q arguments-from r.json
+  burnish-quantize n.png -n 16 -o q.exr
+  same_bytes q.exr "q x.exr"
+  : >empty
+  refuses 1 "" burnish-quantize --arguments-from=empty
+  refuses 2 "'none': cannot be read" burnish-quantize --arguments-from none
+  printf "n.png 'open" >a
+  refuses 3 "'a': expected quotes in pairs" burnish-quantize --arguments-from a
+  printf 'n.png\0' >a
+  refuses 3 "'a': expected text" burnish-quantize --arguments-from a
+  echo "n.png --arguments-from a" >a
+  refuses 1 "--arguments-from" burnish-quantize --arguments-from a
+}
+
 @test "threads out of range are refused" {
   make_image bumps 8 8 h.png
   for j in -1 x 1.5 99999999999; do refuses 1 "" burnish-normals h.png -o x.png -j "$j"; done

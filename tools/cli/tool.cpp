@@ -69,7 +69,9 @@ std::vector<std::string> with_arguments_of_files(const std::vector<std::string>&
       all.push_back(words[i]);
       continue;
     }
-    const std::optional<std::vector<std::string>> more = shell_words(read_file(file));
+    const std::string text = read_file(file);
+    if (text.find('\0') != text.npos) throw file_error(ErrorKind::kMalformed, file, "expected text, got other bytes");
+    const std::optional<std::vector<std::string>> more = shell_words(text);
     if (!more) throw file_error(ErrorKind::kMalformed, file, "expected quotes in pairs, got one that stays open");
     all.insert(all.end(), more->begin(), more->end());
   }
@@ -114,7 +116,10 @@ Tool::Tool(const ToolText& text, Libraries (*libraries)())
       ->type_name("FILE")
       ->group("Common");
   app_.add_option_function<std::string>(
-          kArgumentsFrom, [](const std::string&) {},  // never left when it is parsed
+          kArgumentsFrom,
+          [](const std::string&) {  // whose own are in its place by now
+            throw CLI::ValidationError(kArgumentsFrom, "expected arguments in such a file, got the option itself");
+          },
           "Read more arguments, quoted as for a shell, from FILE: more than a command line holds")
       ->type_name("FILE")
       ->group("Common");
@@ -191,25 +196,26 @@ void Tool::finish(const Json& stats, double seconds) {
 }
 
 int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
-  for (int i = 0; i < argc; i++) {
-    arguments_.push_back(i ? argv[i] : text_.name);
-    command_ += (i ? " " : "") + shell_quoted(arguments_.back());
+  arguments_.assign(argv, argv + argc);
+  arguments_[0] = text_.name;
+  try {
+    arguments_ = with_arguments_of_files(arguments_);
+  } catch (const Error& error) {
+    return fail(exit_code(error.kind()), error.what());
   }
+  for (const std::string& argument : arguments_) command_ += (command_.empty() ? "" : " ") + shell_quoted(argument);
   // For packages, and on no help page.
-  if (argc == 2 && arguments_[1] == "--man") return print(man_page(app_, text_, BURNISH_VERSION));
-  if (argc == 3 && arguments_[1] == "--completion") try {
+  if (arguments_.size() == 2 && arguments_[1] == "--man") return print(man_page(app_, text_, BURNISH_VERSION));
+  if (arguments_.size() == 3 && arguments_[1] == "--completion") try {
       return print(completion(app_, arguments_[2]));
     } catch (const Error& error) {
       return fail(kUsage, error.what());
     }
   try {
-    std::vector<std::string> all = with_arguments_of_files(arguments_);
-    std::vector<char*> words;
-    for (std::string& word : all) words.push_back(word.data());
+    std::vector<const char*> words;
+    for (const std::string& word : arguments_) words.push_back(word.c_str());
     words[0] = argv[0];
     app_.parse(int(words.size()), words.data());
-  } catch (const Error& error) {
-    return fail(exit_code(error.kind()), error.what());
   } catch (const CLI::Success& request) {  // --help, --version
     app_.exit(request, std::cout, std::cerr);
     return print("");
