@@ -77,7 +77,7 @@ Tool::Tool(const ToolText& text, Libraries (*libraries)())
   app_.set_help_flag("-h,--help", "Print this help and exit");
   app_.set_version_flag("--version", [libraries] {
     return std::string("burnish " BURNISH_VERSION " (" BURNISH_GIT_DESCRIBE "), " BURNISH_COMPILER ", ") +
-           libraries().versions + "oneTBB " + thread_library_version() + ", CLI11 " CLI11_VERSION;
+           libraries().versions + thread_library() + ", CLI11 " CLI11_VERSION;
   });
   app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   app_.add_flag("-q,--quiet", quiet_, "Nothing on standard error but errors")->group("Common");
