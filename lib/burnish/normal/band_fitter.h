@@ -30,11 +30,14 @@ class BandFitter {
   NormalBand fit(const HeightBand& band) const;
 
  private:
-  void derivative_u(const float* padded, float* out) const;
-  void derivative_v(const float* rows, int stride, float* scratch, float* out) const;
-  void solve_incomplete(const HeightBand& band, int y, Vec3f* normals, NormalBand& out) const;
-  void solve(const HeightBand& band, int x, int y, Vec3f* normals, NormalBand& out) const;
-  void gather(const HeightBand& band, int y, const Vec3f* normals, NormalBand& out) const;
+  struct Block;
+  static constexpr int kMostRadius = 4;
+
+  void derivative_u(const float* in, int count, float* out) const;
+  void smooth_u(const float* across, int count, float* out) const;
+  void derivative_v(const float* rows, int stride, int count, float* out) const;
+  void solve_incomplete(const HeightBand& band, int y, Block& block, NormalBand& out) const;
+  void solve(const HeightBand& band, int x, int y, Block& block, NormalBand& out) const;
 
   std::string name_;
   const Neighborhood& n_;

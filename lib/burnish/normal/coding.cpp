@@ -6,6 +6,7 @@
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
 #include "burnish/core/whole_image.h"
+#include "burnish/normal/row_kernels.h"
 
 namespace burnish {
 namespace {
@@ -119,19 +120,6 @@ std::vector<Vec3f> read_normals(const FileRef& file, const NormalCoding& coding,
   return reader.read_all();
 }
 
-namespace {
-
-template <typename T>
-void encode_biased(const Vec3f* in, int count, float y_sign, float max, float half, T* out) {
-  for (int i = 0; i < count; i++) {
-    out[3 * i + 0] = static_cast<T>((0.5f * in[i].x + 0.5f) * max + half);
-    out[3 * i + 1] = static_cast<T>((0.5f * y_sign * in[i].y + 0.5f) * max + half);
-    out[3 * i + 2] = static_cast<T>((0.5f * in[i].z + 0.5f) * max + half);
-  }
-}
-
-}  // namespace
-
 void require_encodable(const NormalCoding& coding, SampleType sample, const std::string& name) {
   if (coding.encoding == NormalEncoding::kSigned && is_integer(sample))
     throw file_error(ErrorKind::kUnsupported, name,
@@ -140,12 +128,10 @@ void require_encodable(const NormalCoding& coding, SampleType sample, const std:
 
 void encode_normals(const Vec3f* in, int count, const NormalCoding& coding, SampleType sample, void* out) {
   const float y_sign = coding.green == GreenAxis::kDown ? -1.f : 1.f;
-  if (sample == SampleType::kUint8)
-    return encode_biased(in, count, y_sign, 255.f, 0.5f, static_cast<std::uint8_t*>(out));
-  if (sample == SampleType::kUint16)
-    return encode_biased(in, count, y_sign, 65535.f, 0.5f, static_cast<std::uint16_t*>(out));
+  if (sample == SampleType::kUint8) return kernels::encode_biased(in, count, y_sign, static_cast<std::uint8_t*>(out));
+  if (sample == SampleType::kUint16) return kernels::encode_biased(in, count, y_sign, static_cast<std::uint16_t*>(out));
   float* to = static_cast<float*>(out);
-  if (is_biased(coding.encoding, false)) return encode_biased(in, count, y_sign, 1.f, 0.f, to);
+  if (is_biased(coding.encoding, false)) return kernels::encode_biased(in, count, y_sign, to);
   for (int i = 0; i < count; i++) {
     to[3 * i + 0] = in[i].x;
     to[3 * i + 1] = y_sign * in[i].y;
