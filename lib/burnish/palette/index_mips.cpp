@@ -153,17 +153,33 @@ class Cascade {
 
   void average_row(int l, int y) {
     const Level& finer = levels_[l - 1];
+    if (l == 1 && by_material_) return sum_by_material(y);
     for (std::size_t part = 0; part < parts(); part++) {
       Vec3f* out = levels_[l].mean[part].row(y);
-      if (l > 1) {
-        average_row(finer, y, out, [&](int fx, int fy) { return finer.mean[part].row(fy)[fx]; });
-        continue;
-      }
-      average_row(finer, y, out, [&](int fx, int fy) {
-        const int index = finer.index.row(fy)[fx];
-        if (by_material_ && palette_.interval_of(index) != int(part)) return Vec3f{};
-        return has_source_ ? finer.mean[0].row(fy)[fx] : palette_.normals[index];
-      });
+      if (l > 1) average_row(finer, y, out, [&](int fx, int fy) { return finer.mean[part].row(fy)[fx]; });
+      else average_row(finer, y, out, [&](int fx, int fy) { return base_normal(fx, fy); });
+    }
+  }
+
+  Vec3f base_normal(int x, int y) const {
+    return has_source_ ? levels_[0].mean[0].row(y)[x] : palette_.normals[levels_[0].index.row(y)[x]];
+  }
+
+  // A row of the first level: each texel of the base is of one material, and zero to the means of all others.
+  void sum_by_material(int y) {
+    const Level& base = levels_[0];
+    std::vector<RowWindow<Vec3f>>& mean = levels_[1].mean;
+    for (RowWindow<Vec3f>& part : mean) std::fill_n(part.row(y), levels_[1].width, Vec3f{});
+    const MipTaps v = mip_taps(base.height, y);
+    for (int x = 0; x < levels_[1].width; x++) {
+      const MipTaps u = mip_taps(base.width, x);
+      for (int j = 0; j < v.count; j++)
+        for (int i = 0; i < u.count; i++) {
+          const int fx = u.first + i, fy = v.first + j;
+          Vec3f& sum = mean[palette_.interval_of(base.index.row(fy)[fx])].row(y)[x];
+          sum += base_normal(fx, fy) * float(u.weight[i] * v.weight[j]);
+        }
+      for (RowWindow<Vec3f>& part : mean) part.row(y)[x] = part.row(y)[x] / float(u.total * v.total);
     }
   }
 
