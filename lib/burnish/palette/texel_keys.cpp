@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
@@ -44,7 +45,8 @@ TexelKeys::TexelKeys(const FileRef& file, const NormalCoding& coding) : reader_(
   tag_ = (packing_ == Packing::kOctahedral ? 0 : bits << kCodingShift) | std::uint64_t(packing_) << kVectorBits;
   const std::size_t sample = packing_ == Packing::kBytes ? 1 : packing_ == Packing::kOctahedral ? 4 : 2;
   row_bytes_ = sample * image.channels() * image.width();
-  if (row_bytes_ * height() <= kKeepBytes) whole_.resize(row_bytes_ * height());
+  const std::size_t bytes = row_bytes_ * height();
+  if (bytes <= kKeepBytes) whole_ = std::make_unique_for_overwrite<std::byte[]>(bytes);
 }
 
 void TexelKeys::read_rows(int first, int count, std::uint64_t* keys) {
@@ -54,12 +56,12 @@ void TexelKeys::read_rows(int first, int count, std::uint64_t* keys) {
   };
   std::vector<std::byte> band;
   const std::byte* samples;
-  if (!whole_.empty()) {
+  if (whole_) {
     if (first + count > loaded_rows_) {
-      load(loaded_rows_, first + count - loaded_rows_, whole_.data() + row_bytes_ * loaded_rows_);
+      load(loaded_rows_, first + count - loaded_rows_, whole_.get() + row_bytes_ * loaded_rows_);
       loaded_rows_ = first + count;
     }
-    samples = whole_.data() + row_bytes_ * first;
+    samples = whole_.get() + row_bytes_ * first;
   } else {
     band.resize(row_bytes_ * count);
     load(first, count, band.data());

@@ -6,8 +6,9 @@
 // maps of any samples and codings can be counted together.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "burnish/normal/coding.h"
 
@@ -41,8 +42,8 @@ class TexelKeys {
   Packing packing_;
   std::uint64_t tag_;  // packing and coding, above the 48 bits of the vector
   std::size_t row_bytes_;
-  std::vector<std::byte> whole_;  // all rows as stored; empty where they are too many
-  int loaded_rows_ = 0;           // of them, those that have been read
+  std::unique_ptr<std::byte[]> whole_;  // room for all rows as stored; none where they are too many
+  int loaded_rows_ = 0;                 // of them, those that have been read
 };
 
 }  // namespace burnish
