@@ -77,6 +77,11 @@ small_disk() {
   mount -t tmpfs -o size=64k tmpfs "$1" 2>/dev/null || skip "no disk can be mounted here"
 }
 
+# Skips the test where the tools hold memory that is not theirs.
+needs_bare_memory() {
+  if grep -qaE '__(asan|tsan)_init' "$BURNISH_BIN/burnish-normals"; then skip "sanitizers need memory of their own"; fi
+}
+
 # Skips the test unless Node and an npm package are there. Its scripts then say: import { load } from './node_package.mjs'
 needs_node_package() {
   export BURNISH_NODE_MODULES="${BURNISH_NODE_MODULES:-$BURNISH_SOURCE_DIR/build/node_modules}"

@@ -238,6 +238,7 @@ C
 }
 
 @test "a table that finds no memory is an error like any other" {
+  needs_bare_memory
   tight() { (ulimit -v 600000 && exec burnish-lut "$@"); }
   call tight strand -o x.exr --size 8192 -j 2
   [ "$status" -eq 4 ] || skip "memory cannot be limited here"

@@ -22,7 +22,7 @@ PYTHON
 
 # within MIB COMMAND…: succeeds, and never holds more than that.
 within() {
-  if grep -qa __asan_init "$BURNISH_BIN/$2"; then skip "sanitizers need memory of their own"; fi
+  needs_bare_memory
   "${PYTHON3:-python3}" - "$@" <<'PYTHON'
 import resource, subprocess, sys
 subprocess.run(sys.argv[2:], check=True)

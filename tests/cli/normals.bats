@@ -281,6 +281,7 @@ TABLE
 }
 
 @test "a large map passes in little memory" {
+  needs_bare_memory
   # 1000 × 30000 heights are 120 MB as floats, their normals 360 MB; bands need a few of their rows.
   make_image flat 1000 30000 h.png uint8
   "${PYTHON3:-python3}" - <<'PYTHON'
