@@ -1,6 +1,7 @@
 #include "burnish/palette/index_mips.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <iterator>
@@ -65,10 +66,10 @@ struct Level {
 
 // The normals below a texel, summed up by material.
 struct Cover {
-  int material = 0;  // position of its interval
-  std::int64_t weight = 0;
+  int material;  // position of its interval
+  std::int64_t weight;
   Vec3d sum;
-  int first = 0;  // index of the first texel of it
+  int first;  // index of the first texel of it
 };
 
 // Makes the levels side by side, each row as soon as the rows below it are there.
@@ -89,12 +90,11 @@ class Cascade {
 
   std::size_t parts() const { return by_material_ ? palette_.materials.size() : 1; }
 
-  // Rooms for the next rows of the base and, where there is a source, of its normals.
-  std::uint16_t* next_rows(int count) { return levels_[0].index.append(count); }
-  Vec3f* next_normals(int count) { return levels_[0].mean[0].append(count); }
-
-  // After they are filled.
-  void advance(int count) {
+  // The next rows of the base and, where there is a source, its normals.
+  void add(int count, const std::uint16_t* indices, const Vec3f* normals) {
+    const std::size_t texels = std::size_t(count) * levels_[0].width;
+    std::copy_n(indices, texels, levels_[0].index.append(count));
+    if (has_source_) std::copy_n(normals, texels, levels_[0].mean[0].append(count));
     const int first = levels_[0].index.end() - count;
     if (has_source_) compare_with_source(first, count);
     sink_(0, count, levels_[0].index.row(first));
@@ -199,45 +199,57 @@ class Cascade {
     Level& level = levels_[l];
     std::uint16_t* out = level.index.row(y);
     for (int x = 0; x < level.width; x++) {
-      const Cover cover = majority(levels_[l - 1], x, y);
-      Vec3d wanted = cover.sum;
-      // A material that has the majority of the level below may have no texel left in the base under this one.
-      if (from_base_)
-        if (const Vec3d mean(level.mean[by_material_ ? cover.material : 0].row(y)[x]); length(mean) > 1e-6)
-          wanted = mean;
-      // Normals that cancel out point nowhere: the first of them stands for all.
-      const int index = length(wanted) > 1e-6
-                            ? palette_.materials[cover.material].first + nearest_[cover.material](Vec3f(wanted))
-                            : cover.first;
+      const int index = index_of(l, x, y);
       out[x] = std::uint16_t(index);
       Vec3f sum{};
       for (const RowWindow<Vec3f>& mean : level.mean) sum += mean.row(y)[x];
-      if (const Vec3d mean(sum); length(mean) > 1e-6) angles.add(angle_rad(mean, Vec3d(palette_.normals[index])));
+      if (points(Vec3d(sum))) angles.add(angle_rad(Vec3d(sum), Vec3d(palette_.normals[index])));
     }
+  }
+
+  // Normals that cancel out point nowhere.
+  static bool points(Vec3d sum) { return dot(sum, sum) > 1e-12; }
+
+  int index_of(int l, int x, int y) const {
+    const std::vector<RowWindow<Vec3f>>& mean = levels_[l].mean;
+    if (from_base_ && palette_.materials.size() == 1)
+      if (const Vec3f of_all = mean[0].row(y)[x]; points(Vec3d(of_all))) return nearest_[0](of_all);
+    const Cover cover = majority(levels_[l - 1], x, y);
+    const auto nearest = [&](Vec3f v) {
+      return palette_.materials[cover.material].first + nearest_[cover.material](v);
+    };
+    // A material that has the majority of the level below may have no texel left in the base under this one.
+    if (from_base_)
+      if (const Vec3f of_base = mean[by_material_ ? cover.material : 0].row(y)[x]; points(Vec3d(of_base)))
+        return nearest(of_base);
+    return points(cover.sum) ? nearest(Vec3f(cover.sum)) : cover.first;  // the first stands for all
   }
 
   Cover majority(const Level& finer, int x, int y) const {
     const MipTaps u = mip_taps(finer.width, x), v = mip_taps(finer.height, y);
-    Cover covers[9];
-    int used = 0;
-    for (int j = 0; j < v.count; j++)
+    std::array<Cover, 9> covers;
+    std::size_t used = 0;
+    for (int j = 0; j < v.count; j++) {
+      const std::uint16_t* row = finer.index.row(v.first + j);
       for (int i = 0; i < u.count; i++) {
-        const int index = finer.index.row(v.first + j)[u.first + i];
+        const int index = row[u.first + i];
         const std::int64_t weight = u.weight[i] * v.weight[j];
         const int material = palette_.materials.size() == 1 ? 0 : palette_.interval_of(index);
-        int c = 0;
+        std::size_t c = 0;
         while (c < used && covers[c].material != material) c++;
-        if (c == used) covers[used++] = {material, 0, {}, index};
+        if (c == used) covers[used++] = {material, 0, {0, 0, 0}, index};
         covers[c].weight += weight;
         covers[c].sum += Vec3d(palette_.normals[index]) * double(weight);
       }
+    }
+    if (used == 1) return covers[0];
     const auto better = [&](const Cover& a, const Cover& b) {
       if (a.weight != b.weight) return a.weight > b.weight;
       const double la = dot(a.sum, a.sum), lb = dot(b.sum, b.sum);
       if (la != lb) return la > lb;
       return palette_.materials[a.material].id < palette_.materials[b.material].id;
     };
-    return *std::min_element(covers, covers + used, better);
+    return *std::min_element(covers.begin(), covers.begin() + used, better);
   }
 
   const Palette& palette_;
@@ -260,12 +272,26 @@ std::vector<MipLevelStats> make_index_mips(const IndexRows& map, const IndexMipO
   Cascade cascade(map, options, levels, sink);
   constexpr std::size_t kTexels = std::size_t(1) << 21;
   const int band = int(std::max<std::size_t>(2, kTexels / cascade.parts() / map.width));
+  struct Band {
+    std::vector<std::uint16_t> index;
+    std::vector<Vec3f> normals;
+  } here, next;
+  const auto rows_from = [&](int y) { return std::min(band, map.height - y); };
+  const auto read = [&](int y, Band& to) {
+    if (y >= map.height) return;
+    const std::size_t texels = std::size_t(rows_from(y)) * map.width;
+    to.index.resize(texels);
+    map.read_rows(y, rows_from(y), to.index.data());
+    if (!source) return;
+    to.normals.resize(texels);
+    source->read_rows(y, rows_from(y), to.normals.data());
+  };
+  read(0, next);
   for (int y = 0; y < map.height; y += band) {
-    const int rows = std::min(band, map.height - y);
-    map.read_rows(y, rows, cascade.next_rows(rows));
-    if (source) source->read_rows(y, rows, cascade.next_normals(rows));
-    cascade.advance(rows);
-    report_progress(progress, double(y + rows) / map.height);
+    std::swap(here, next);
+    parallel_invoke([&] { read(y + band, next); },
+                    [&] { cascade.add(rows_from(y), here.index.data(), source ? here.normals.data() : nullptr); });
+    report_progress(progress, double(y + rows_from(y)) / map.height);
   }
   return cascade.stats();
 }
