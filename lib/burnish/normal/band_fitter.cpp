@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <memory>
+#include <vector>
 
 #include "burnish/core/error.h"
 #include "burnish/normal/row_kernels.h"
@@ -37,7 +37,8 @@ BandFitter::BandFitter(const Neighborhood& neighborhood, const HeightMapOptions&
 }
 
 NormalBand BandFitter::fit(const HeightBand& band) const {
-  NormalBand out{band.first, band.rows, {}};
+  NormalBand out;
+  out.first = band.first, out.rows = band.rows;
   const int r = n_.radius, stride = band.stride;
   std::vector<float> across;  // derivative along u of every row, for the neighbourhoods that smooth it along v
   if (n_.smoothing.size() > 1) {
@@ -48,7 +49,7 @@ NormalBand BandFitter::fit(const HeightBand& band) const {
   }
   const bool bytes = target_.sample == SampleType::kUint8, words = target_.sample == SampleType::kUint16;
   const std::size_t out_texel = 3 * (bytes ? 1 : words ? 2 : 4);
-  out.samples.resize(out_texel * width_ * band.rows);
+  out.samples = std::make_unique_for_overwrite<std::byte[]>(out_texel * width_ * band.rows);
   const auto block = std::make_unique_for_overwrite<Block>();
   for (int y = 0; y < band.rows; y++) {
     double tilt_sum = 0;
@@ -66,7 +67,7 @@ NormalBand BandFitter::fit(const HeightBand& band) const {
       out.steepest = std::max<double>(out.steepest, tilts.steepest);
       kernels::interleave({block->x, block->y, block->z}, block->count, block->normals);
       encode_normals(block->normals, block->count, target_.coding, target_.sample,
-                     out.samples.data() + out_texel * (std::size_t(y) * width_ + x));
+                     out.samples.get() + out_texel * (std::size_t(y) * width_ + x));
     }
     if (!std::isfinite(tilt_sum))
       throw file_error(ErrorKind::kMalformed, name_,

@@ -5,8 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
-#include <vector>
 
 #include "burnish/normal/height_bands.h"
 #include "burnish/normal/plane_fit.h"
@@ -15,8 +15,8 @@ namespace burnish {
 
 struct NormalBand {
   int first = 0, rows = 0;
-  std::vector<std::byte> samples;     // as encode_normals makes them
-  double tilt_sum = 0, steepest = 0;  // of angles; tangent of half the largest
+  std::unique_ptr<std::byte[]> samples;  // as encode_normals makes them
+  double tilt_sum = 0, steepest = 0;     // of angles; tangent of half the largest
   std::size_t taking_part = 0, degenerate = 0;
 };
 

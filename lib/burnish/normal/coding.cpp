@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstring>
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
@@ -132,11 +133,9 @@ void encode_normals(const Vec3f* in, int count, const NormalCoding& coding, Samp
   if (sample == SampleType::kUint16) return kernels::encode_biased(in, count, y_sign, static_cast<std::uint16_t*>(out));
   float* to = static_cast<float*>(out);
   if (is_biased(coding.encoding, false)) return kernels::encode_biased(in, count, y_sign, to);
-  for (int i = 0; i < count; i++) {
-    to[3 * i + 0] = in[i].x;
-    to[3 * i + 1] = y_sign * in[i].y;
-    to[3 * i + 2] = in[i].z;
-  }
+  std::memcpy(to, in, sizeof(Vec3f) * count);
+  if (coding.green == GreenAxis::kDown)
+    for (int i = 0; i < count; i++) to[3 * i + 1] = -to[3 * i + 1];
 }
 
 }  // namespace burnish

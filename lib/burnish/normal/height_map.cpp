@@ -36,8 +36,8 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
     return std::make_shared<NormalBand>(fitter.fit(*band));
   };
   const auto write = [&](const std::shared_ptr<NormalBand>& band) {
-    if (stored) writer.write_rows_stored(band->rows, band->samples.data());
-    else writer.write_rows(band->rows, reinterpret_cast<const float*>(band->samples.data()));
+    if (stored) writer.write_rows_stored(band->rows, band->samples.get());
+    else writer.write_rows(band->rows, reinterpret_cast<const float*>(band->samples.get()));
     tilt_sum += band->tilt_sum;
     steepest = std::max(steepest, band->steepest);
     taking_part += band->taking_part;
