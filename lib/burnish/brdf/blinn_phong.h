@@ -11,9 +11,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "burnish/brdf/local_frame.h"
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 
@@ -24,7 +24,7 @@ struct BlinnPhong {
 };
 
 // For e in [0,1]; 0⁰ = 1.
-inline double blinn_phong_f(double exponent, double e) { return std::pow(e, 0.5 * exponent); }
+inline double blinn_phong_f(double exponent, double e) { return portable::pow(e, 0.5 * exponent); }
 
 // h: unit, or none where light and view are opposite.
 inline double blinn_phong_e(const LocalFrame& f, double alpha_x, double alpha_y, Vec3d h) {

@@ -7,8 +7,7 @@
 // The book names the transition without a formula; this one is smooth at both ends. WIDTH 0 is a step.
 #pragma once
 
-#include <cmath>
-
+#include "burnish/core/portable_math.h"
 #include "burnish/core/vec3.h"
 
 namespace burnish {
@@ -16,7 +15,7 @@ namespace burnish {
 inline double light_factor_share(double cosine, double width) {
   if (cosine <= 0) return 0;
   if (cosine >= width) return 1;
-  return 0.5 - 0.5 * std::cos(kPi * cosine / width);
+  return 0.5 - 0.5 * portable::cos(kPi * cosine / width);
 }
 
 inline double light_factor(double cosine, double light, double ambient, double width) {

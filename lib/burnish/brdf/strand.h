@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/core/portable_math.h"
 #include "burnish/core/vec3.h"
 
 namespace burnish {
@@ -21,7 +22,7 @@ namespace burnish {
 inline double strand_diffuse(double l_dot_t) { return std::sqrt(std::max(0.0, 1 - l_dot_t * l_dot_t)); }
 inline double strand_specular(double l_dot_t, double v_dot_t, double exponent) {
   const double v_dot_r = strand_diffuse(l_dot_t) * strand_diffuse(v_dot_t) - l_dot_t * v_dot_t;
-  return std::pow(std::max(0.0, v_dot_r), exponent);
+  return portable::pow(std::max(0.0, v_dot_r), exponent);
 }
 
 }  // namespace burnish

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "burnish/brdf/local_frame.h"
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 
@@ -21,7 +22,7 @@ struct Ward {
 };
 
 inline double ward_s(double p) { return 1 / std::sqrt(p); }
-inline double ward_e(double m, double d) { return std::exp(-2 * m / (1 + d)); }
+inline double ward_e(double m, double d) { return portable::exp(-2 * m / (1 + d)); }
 // k_s / (4π α_x α_y)
 inline double ward_scale(const Ward& w) { return w.k_s / (4 * kPi * w.alpha_x * w.alpha_y); }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "burnish/core/portable_math.h"
+
 namespace burnish {
 
 template <typename T>
@@ -47,7 +49,7 @@ Vec3<T> normalized(Vec3<T> a) {
 }
 
 // Angle between two vectors of any length, in radians; exact near 0 and near π, where acos of the dot product is not.
-inline double angle_rad(Vec3d a, Vec3d b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+inline double angle_rad(Vec3d a, Vec3d b) { return portable::atan2(length(cross(a, b)), dot(a, b)); }
 
 inline constexpr double kPi = 3.14159265358979323846;
 inline double degrees(double rad) { return rad * (180.0 / kPi); }

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "burnish/core/portable_math.h"
+
 namespace burnish {
 namespace {
 
@@ -58,7 +60,7 @@ MaterialMaps MaterialReader::parameters(int first, int count) {
 
 std::size_t MaterialReader::frames(const std::string& directory,
                                    const std::function<void(int first, MaterialMaps& rows)>& take) {
-  const Vec3f along(Vec3d{std::cos(source_.angle_rad), std::sin(source_.angle_rad), 0});
+  const Vec3f along(Vec3d{portable::cos(source_.angle_rad), portable::sin(source_.angle_rad), 0});
   const auto read = [&](int first, int count) {
     const std::size_t texels = std::size_t(width()) * count;
     DirectionBand band;

@@ -6,6 +6,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
+#include "burnish/core/portable_math.h"
 #include "burnish/normal/band_fitter.h"
 #include "burnish/normal/height_bands.h"
 #include "burnish/normal/normal_space.h"
@@ -47,7 +48,7 @@ HeightMapStats convert_height_map(const FileRef& file, const HeightMapOptions& o
   constexpr std::size_t kBandsInFlight = 4;
   parallel_pipeline(kBandsInFlight, read, fit, write);
   writer.close();
-  stats.max_slope_deg = degrees(2 * std::atan(steepest));
+  stats.max_slope_deg = degrees(2 * portable::atan(steepest));
   stats.mean_tilt_deg = taking_part ? degrees(tilt_sum / double(taking_part)) : 0;
   stats.colour_channels_differ = source.colour_channels_differ();
   return stats;

@@ -1,9 +1,9 @@
 #include "burnish/normal/plane_fit.h"
 
-#include <cmath>
 #include <string>
 
 #include "burnish/core/error.h"
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 
@@ -16,7 +16,7 @@ Neighborhood make_neighborhood(int q, FitWeights weights) {
   const double sigma = 0.5 * r;
   // Along one axis; the weight of a tap is the product of both. Rounded, so that no machine's exp shows in the result.
   const auto g = [&](int i) {
-    return weights == FitWeights::kUniform ? 1.0 : double(float(std::exp(-i * i / (2 * sigma * sigma))));
+    return weights == FitWeights::kUniform ? 1.0 : double(float(portable::exp(-i * i / (2 * sigma * sigma))));
   };
   Neighborhood n;
   n.radius = r;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "burnish/core/portable_math.h"
+
 namespace burnish {
 namespace {
 
@@ -16,7 +18,7 @@ class Pattern {
     for (int y = 0; y < kSide; y++)
       for (int x = 0; x < kSide; x++) {
         const double dx = x < kSide / 2 ? x : kSide - x, dy = y < kSide / 2 ? y : kSide - y;
-        kernel_[y * kSide + x] = std::lround(std::exp(-(dx * dx + dy * dy) / (2 * kSigma * kSigma)) * (1 << 20));
+        kernel_[y * kSide + x] = std::lround(portable::exp(-(dx * dx + dy * dy) / (2 * kSigma * kSigma)) * (1 << 20));
       }
   }
   bool is_set(int i) const { return set_[i]; }

@@ -1,6 +1,6 @@
 #include "burnish/render/camera.h"
 
-#include <cmath>
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 
@@ -12,7 +12,7 @@ Camera::Camera(const CameraSettings& settings, int width, int height)
       half_height_px_(0.5 * height) {
   const Vec3d right = normalized(cross(forward_, settings.up));
   const Vec3d up = cross(right, forward_);
-  const double extent = perspective_ ? 2 * std::tan(0.5 * radians(settings.fov_deg)) : settings.height;
+  const double extent = perspective_ ? 2 * portable::tan(0.5 * radians(settings.fov_deg)) : settings.height;
   step_x_ = right * (extent / height);  // pixels are square
   step_y_ = up * (-extent / height);
 }

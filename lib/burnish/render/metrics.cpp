@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "burnish/core/parallel.h"
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 
@@ -27,7 +28,7 @@ ErrorMetrics compare(const Image& a, const Image& b, const ByteImage& counts) {
     return s;
   });
   m.rmse = std::sqrt(sum / double(differences.size()));
-  if (m.rmse > 0) m.psnr_db = 20 * std::log10(kPeak / m.rmse);
+  if (m.rmse > 0) m.psnr_db = 20 * portable::log10(kPeak / m.rmse);
   m.max_abs = *std::ranges::max_element(differences);
   const std::size_t rank = (differences.size() * 95 + 99) / 100 - 1;
   std::ranges::nth_element(differences, differences.begin() + std::ptrdiff_t(rank));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/core/portable_math.h"
 #include "burnish/render/surface.h"
 
 namespace burnish {
@@ -16,9 +17,10 @@ enum class MipMode { kOff, kNearest, kLinear };
 
 // λ ≥ 0, at most the last level; 0 where the map is magnified.
 inline double mip_lambda(const SurfacePoint& p, int width, int height, int samples, int levels) {
-  const double x = std::hypot(p.du_dx * width, p.dv_dx * height), y = std::hypot(p.du_dy * width, p.dv_dy * height);
+  const double x = portable::hypot(p.du_dx * width, p.dv_dx * height),
+               y = portable::hypot(p.du_dy * width, p.dv_dy * height);
   const double footprint = std::max(x, y) / samples;
-  return footprint > 1 ? std::min(std::log2(footprint), double(levels - 1)) : 0.0;
+  return footprint > 1 ? std::min(portable::log2(footprint), double(levels - 1)) : 0.0;
 }
 
 inline int nearest_level(double lambda) { return std::max(0, int(std::ceil(lambda + 0.5)) - 1); }

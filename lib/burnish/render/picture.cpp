@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "burnish/core/parallel.h"
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 namespace {
@@ -26,16 +27,16 @@ constexpr float kOffObject = 0.35f;
 
 double srgb_from_linear(double linear) {
   const double c = std::clamp(linear, 0.0, 1.0);
-  return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+  return c <= 0.0031308 ? 12.92 * c : 1.055 * portable::pow(c, 1 / 2.4) - 0.055;
 }
 
 double linear_from_srgb(double srgb) {
   const double c = std::clamp(srgb, 0.0, 1.0);
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  return c <= 0.04045 ? c / 12.92 : portable::pow((c + 0.055) / 1.055, 2.4);
 }
 
 Image srgb_picture(const Image& linear, double exposure_stops) {
-  const double gain = std::exp2(exposure_stops);
+  const double gain = portable::exp2(exposure_stops);
   Image out(linear.width, linear.height, linear.channels);
   parallel_for(linear.height, [&](std::size_t y) {
     std::transform(linear.row(int(y)), linear.row(int(y)) + std::size_t(linear.width) * linear.channels,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "burnish/core/portable_math.h"
 #include "burnish/render/torus.h"
 
 namespace burnish {
@@ -34,11 +35,11 @@ std::optional<SurfacePoint> intersect_sphere(const Surface& s, const Ray& ray) {
   p.position = ray.origin + ray.direction * p.t;
   p.normal = p.frame_normal = normalized(p.position);
   const Vec3d n = p.normal;
-  const double equator = std::hypot(n.x, n.z);  // cos φ; 0 at the poles, where the frame takes λ = 0
+  const double equator = portable::hypot(n.x, n.z);  // cos φ; 0 at the poles, where the frame takes λ = 0
   p.tangent = equator > 0 ? Vec3d{n.z / equator, 0, -n.x / equator} : Vec3d{1, 0, 0};
   p.bitangent = cross(n, p.tangent);
-  p.u = 0.5 + std::atan2(n.x, n.z) / (2 * kPi);
-  p.v = 0.5 + std::atan2(n.y, equator) / kPi;
+  p.u = 0.5 + portable::atan2(n.x, n.z) / (2 * kPi);
+  p.v = 0.5 + portable::atan2(n.y, equator) / kPi;
   constexpr double kPole = 1e-12;  // keeps the gradient finite; the footprint is beyond any map there
   differentiate(ray, n, p.tangent / (2 * kPi * s.radius * std::max(equator, kPole)), p.bitangent / (kPi * s.radius), p);
   return p;

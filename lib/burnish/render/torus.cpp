@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "burnish/core/portable_math.h"
+
 namespace burnish {
 namespace {
 
@@ -41,7 +43,7 @@ std::vector<double> sign_changes(const Quartic& c, int degree, double low, doubl
 }
 
 double turns(double y, double x) {
-  const double t = std::atan2(y, x) / (2 * kPi);
+  const double t = portable::atan2(y, x) / (2 * kPi);
   return t < 0 ? t + 1 : t;
 }
 
@@ -63,7 +65,7 @@ std::optional<SurfacePoint> intersect_torus(const Surface& s, const Ray& ray) {
     SurfacePoint p{};
     p.t = (x + middle) / speed;
     p.position = o + d * x;
-    const double from_axis = std::hypot(p.position.x, p.position.y);
+    const double from_axis = portable::hypot(p.position.x, p.position.y);
     const Vec3d outward{p.position.x / from_axis, p.position.y / from_axis, 0};
     p.normal = p.frame_normal = normalized(p.position - outward * big);
     p.tangent = {-outward.y, outward.x, 0};

@@ -3,8 +3,7 @@
 // Normals are not directions: they stay perpendicular to the surface, and so go by the inverse of the stretch.
 #pragma once
 
-#include <cmath>
-
+#include "burnish/core/portable_math.h"
 #include "burnish/core/vec3.h"
 
 namespace burnish {
@@ -19,7 +18,7 @@ struct Rotation {
 
 // About a unit axis, counter-clockwise seen from its tip (Rodrigues).
 inline Rotation rotation_about(Vec3d axis, double angle_rad) {
-  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  const double c = portable::cos(angle_rad), s = portable::sin(angle_rad);
   const auto turned = [&](Vec3d v) { return v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1 - c)); };
   return {turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})};
 }

@@ -7,6 +7,7 @@
 #include "burnish/brdf/measured/scattered_brdf.h"
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 namespace {
@@ -53,7 +54,7 @@ class Numbers {
 };
 
 Vec3d direction(double theta, double phi) {
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+  return {portable::sin(theta) * portable::cos(phi), portable::sin(theta) * portable::sin(phi), portable::cos(theta)};
 }
 
 std::vector<double> read_wavelengths(Numbers& in) {

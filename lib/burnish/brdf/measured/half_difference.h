@@ -7,8 +7,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
+#include "burnish/core/portable_math.h"
 #include "burnish/core/vec3.h"
 
 namespace burnish {
@@ -21,14 +21,14 @@ struct HalfDifference {
 // Unit vectors that are not opposite; the normal is z.
 inline HalfDifference half_difference(Vec3d l, Vec3d v) {
   const Vec3d h = normalized(l + v);
-  const double sine = std::hypot(h.x, h.y);
+  const double sine = portable::hypot(h.x, h.y);
   // Where h is the normal, any direction is as good.
   const Vec3d away = sine > 0 ? Vec3d{h.z * h.x / sine, h.z * h.y / sine, -sine} : Vec3d{1, 0, 0};
   const Vec3d d = l - h * dot(l, h);
-  double phi = std::atan2(dot(l, cross(h, away)), dot(l, away));
+  double phi = portable::atan2(dot(l, cross(h, away)), dot(l, away));
   if (phi < 0) phi += kPi;
   if (phi >= kPi) phi -= kPi;
-  return {std::atan2(sine, h.z), std::atan2(length(d), std::max(0.0, dot(l, h))), std::max(0.0, phi)};
+  return {portable::atan2(sine, h.z), portable::atan2(length(d), std::max(0.0, dot(l, h))), std::max(0.0, phi)};
 }
 
 }  // namespace burnish

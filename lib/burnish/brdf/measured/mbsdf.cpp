@@ -6,6 +6,7 @@
 #include "burnish/brdf/measured/cell_pair.h"
 #include "burnish/brdf/measured/readers.h"
 #include "burnish/core/error.h"
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 namespace {
@@ -19,11 +20,11 @@ class MbsdfTable final : public Brdf {
   // By [θ_in][θ_out][φ]; beyond the middles of the outermost cells those hold.
   Vec3d reflected_above(Vec3d l, Vec3d v) const override {
     const auto theta = [&](Vec3d w) {
-      return cells_at(std::atan2(std::hypot(w.x, w.y), w.z) / (kPi / 2) * thetas_, thetas_);
+      return cells_at(portable::atan2(portable::hypot(w.x, w.y), w.z) / (kPi / 2) * thetas_, thetas_);
     };
     // The angle between the two about the normal, 0 … π.
     const double across = std::abs(l.x * v.y - l.y * v.x), along = l.x * v.x + l.y * v.y;
-    const CellPair in = theta(l), out = theta(v), phi = cells_at(std::atan2(across, along) / kPi * phis_, phis_);
+    const CellPair in = theta(l), out = theta(v), phi = cells_at(portable::atan2(across, along) / kPi * phis_, phis_);
     Vec3d sum;
     for (int i = 0; i < 8; i++) {
       const int a = i & 1, b = i >> 1 & 1, c = i >> 2;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 // A Gaussian with a width on each side.
 double lobe(double x, double middle, double width_below, double width_above) {
   const double t = (x - middle) / (x < middle ? width_below : width_above);
-  return std::exp(-0.5 * t * t);
+  return portable::exp(-0.5 * t * t);
 }
 
 constexpr std::array<double, 41> kDaylight{

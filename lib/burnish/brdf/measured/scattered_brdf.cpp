@@ -6,6 +6,7 @@
 
 #include "burnish/brdf/measured/half_difference.h"
 #include "burnish/core/parallel.h"
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 constexpr double kKnee = 0.01;  // of asinh, in 1/sr: the magnitude from which values count by their logarithm
 
 std::array<double, 4> place_of(const HalfDifference& w) {
-  const double root = std::sqrt(w.theta_h / (kPi / 2)), turn = 0.5 * root * std::sin(w.theta_d);
-  return {root, w.theta_d / (kPi / 2), turn * std::cos(2 * w.phi_d), turn * std::abs(std::sin(2 * w.phi_d))};
+  const double root = std::sqrt(w.theta_h / (kPi / 2)), turn = 0.5 * root * portable::sin(w.theta_d);
+  return {root, w.theta_d / (kPi / 2), turn * portable::cos(2 * w.phi_d), turn * std::abs(portable::sin(2 * w.phi_d))};
 }
 
 template <typename F>
@@ -24,9 +25,9 @@ Vec3d each(Vec3d v, F&& f) {
 
 // Light and view of a cell, the half vector in the xz plane.
 std::pair<Vec3d, Vec3d> directions(const HalfDifference& w) {
-  const Vec3d h{std::sin(w.theta_h), 0, std::cos(w.theta_h)}, away{h.z, 0, -h.x}, across{0, 1, 0};
-  const Vec3d d = (away * std::cos(w.phi_d) + across * std::sin(w.phi_d)) * std::sin(w.theta_d);
-  return {h * std::cos(w.theta_d) + d, h * std::cos(w.theta_d) - d};
+  const Vec3d h{portable::sin(w.theta_h), 0, portable::cos(w.theta_h)}, away{h.z, 0, -h.x}, across{0, 1, 0};
+  const Vec3d d = (away * portable::cos(w.phi_d) + across * portable::sin(w.phi_d)) * portable::sin(w.theta_d);
+  return {h * portable::cos(w.theta_d) + d, h * portable::cos(w.theta_d) - d};
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ std::pair<Vec3d, Vec3d> directions(const HalfDifference& w) {
 ScatteredReflectance::ScatteredReflectance(const std::vector<ReflectanceSample>& samples) {
   for (const ReflectanceSample& s : samples)
     sorted_.push_back(
-        {place_of(half_difference(s.l, s.v)), each(s.reflected, [](double f) { return std::asinh(f / kKnee); })});
+        {place_of(half_difference(s.l, s.v)), each(s.reflected, [](double f) { return portable::asinh(f / kKnee); })});
   std::ranges::stable_sort(sorted_, {}, [](const Sample& s) { return s.place[0]; });
 }
 
@@ -74,7 +75,7 @@ Vec3d ScatteredReflectance::at(Vec3d l, Vec3d v) const {
   }
   // Where all are as far away as the last, it is as good as any.
   const Vec3d mean = weights > 0 ? sum / weights : nearest.back().second->value;
-  return each(mean, [](double a) { return kKnee * std::sinh(a); });
+  return each(mean, [](double a) { return kKnee * portable::sinh(a); });
 }
 
 std::shared_ptr<const Brdf> interpolated(const std::vector<ReflectanceSample>& samples,

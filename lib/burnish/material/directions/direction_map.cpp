@@ -5,6 +5,7 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
+#include "burnish/core/portable_math.h"
 #include "burnish/core/samples.h"
 #include "burnish/core/texel_check.h"
 #include "burnish/core/whole_image.h"
@@ -63,7 +64,7 @@ DirectionMap decoded(const std::string& name, const Image& samples, const Direct
     for (int x = 0; x < map.width; x++) {
       const float* s = samples.at(x, int(y));
       Vec3f& v = map.vectors[y * map.width + x];
-      if (angles) v = Vec3f(Vec3d{std::cos(2 * kPi * s[0]), std::sin(2 * kPi * s[0]), 0});
+      if (angles) v = Vec3f(Vec3d{portable::cos(2 * kPi * s[0]), portable::sin(2 * kPi * s[0]), 0});
       else v = {s[0] * scale + bias, up * (s[1] * scale + bias), flat ? 0 : s[2] * scale + bias};
     }
   });
@@ -153,7 +154,7 @@ Image encode_directions(const DirectionMap& map, const DirectionCoding& coding, 
       const Vec3f v = map.vectors[i];
       float* s = samples.at(x, int(y));
       if (coding.form == DirectionForm::kAngle) {
-        const double turns = std::atan2(double(v.y), double(v.x)) / (2 * kPi);
+        const double turns = portable::atan2(double(v.y), double(v.x)) / (2 * kPi);
         s[0] = float(turns < 0 ? turns + 1 : turns);
         continue;
       }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "burnish/core/portable_math.h"
 #include "burnish/core/vec3.h"
 
 namespace burnish {
@@ -10,7 +11,7 @@ namespace {
 constexpr double kLeastLightCosine = 0.3, kMostViewAngle_rad = 0.8;
 
 Vec3d direction(double cosine, double sine, double turn) {
-  return {sine * std::cos(2 * kPi * turn), sine * std::sin(2 * kPi * turn), cosine};
+  return {sine * portable::cos(2 * kPi * turn), sine * portable::sin(2 * kPi * turn), cosine};
 }
 
 void put(Vec3d v, float (&to)[3][PairBlock::kPairs], int i) {
@@ -34,7 +35,7 @@ std::vector<PairBlock> direction_pairs(std::size_t blocks) {
       }
       const double light_cosine = 1 - u[0] * (1 - kLeastLightCosine), view_rad = kMostViewAngle_rad * u[2] * u[2];
       const Vec3d l = direction(light_cosine, std::sqrt(1 - light_cosine * light_cosine), u[1]);
-      const Vec3d v = direction(std::cos(view_rad), std::sin(view_rad), u[3]);
+      const Vec3d v = direction(portable::cos(view_rad), portable::sin(view_rad), u[3]);
       put(l, block.l, i), put(v, block.v, i), put(normalized(l + v), block.h, i);
     }
   return out;

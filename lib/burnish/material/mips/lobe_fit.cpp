@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "burnish/core/portable_math.h"
 #include "burnish/material/mips/lobe_kernels.h"
 
 namespace burnish {
@@ -20,8 +21,8 @@ Lobe moved(const Lobe& o, const Shape& by, AlphaRange range) {
   const auto& [t, b, n] = o.frame;
   Lobe out = o;
   out.frame = *orthonormal_frame(n + t * about_b - b * about_t, t + b * about_n - n * about_b);
-  out.alpha_x = std::clamp(o.alpha_x * std::exp(bounded(3, 0.7)), range.least, range.most);
-  out.alpha_y = std::clamp(o.alpha_y * std::exp(bounded(4, 0.7)), range.least, range.most);
+  out.alpha_x = std::clamp(o.alpha_x * portable::exp(bounded(3, 0.7)), range.least, range.most);
+  out.alpha_y = std::clamp(o.alpha_y * portable::exp(bounded(4, 0.7)), range.least, range.most);
   return out;
 }
 
@@ -84,7 +85,7 @@ class Fit {
     s.cost = scaled_square_ + hold_ - s.lobe.k_s * s.sums.gw;
     const auto& [t, b, n] = start_.frame;
     s.away << -dot(lobe.frame.n, b), dot(lobe.frame.n, t), dot(lobe.frame.t, b),
-        std::log(lobe.alpha_x / start_.alpha_x), std::log(lobe.alpha_y / start_.alpha_y);
+        portable::log(lobe.alpha_x / start_.alpha_x), portable::log(lobe.alpha_y / start_.alpha_y);
     for (int i = 0; i < kShape; i++) {
       s.away[i] /= unit_[i];
       s.cost += hold_ * s.away[i] * s.away[i];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "burnish/core/error.h"
+#include "burnish/core/portable_math.h"
 #include "burnish/material/mips/lobe.h"
 
 namespace burnish {
@@ -60,7 +61,7 @@ KhrMaps khr_maps(const MaterialTextures& textures) {
     const Widths w(textures.model, o);
     const double wide = std::min(std::max(w.x, w.y), 1.0), narrow = std::min({w.x, w.y, 1.0});
     const Vec3d axis = w.x >= w.y ? o.frame.t : o.frame.b;
-    const double flat = std::hypot(axis.x, axis.y);
+    const double flat = portable::hypot(axis.x, axis.y);
     const Vec3d along = flat > 0 ? axis / flat : Vec3d{1, 0, 0};
     put_vector({0.5 + 0.5 * along.x, 0.5 + 0.5 * along.y, narrow < 1 ? std::sqrt((wide - narrow) / (1 - narrow)) : 0},
                to);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "burnish/core/portable_math.h"
+
 namespace burnish {
 namespace {
 
@@ -50,9 +52,9 @@ Lobe LobeMoments::lobe(MaterialModel model) const {
   const Vec3d t = o.frame.t, b = o.frame.b;
   const auto covariance = [&](Vec3d u, Vec3d v) { return dot(u, second_times(v)) / weight_ - dot(u, m) * dot(v, m); };
   const double tt = covariance(t, t), bb = covariance(b, b), tb = covariance(t, b);
-  const double middle = (tt + bb) / 2, reach = std::hypot((tt - bb) / 2, tb),
-               turn_rad = std::atan2(2 * tb, tt - bb) / 2;
-  o.frame.t = t * std::cos(turn_rad) + b * std::sin(turn_rad);
+  const double middle = (tt + bb) / 2, reach = portable::hypot((tt - bb) / 2, tb),
+               turn_rad = portable::atan2(2 * tb, tt - bb) / 2;
+  o.frame.t = t * portable::cos(turn_rad) + b * portable::sin(turn_rad);
   o.frame.b = cross(n, o.frame.t);
   if (model != MaterialModel::kBanks) {
     const double unit = unit_variance(model, o.exponent), least = 1e-12;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "burnish/core/parallel.h"
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 namespace {
@@ -18,13 +19,13 @@ struct Sums {
 // Number i of the sequence, in [0,1)⁴: multiples of powers of 1/g, g⁵ = g + 1.
 double sequence(std::size_t i, int dimension) {
   constexpr double kG = 1.1673039782614187;
-  const double x = 0.5 + double(i + 1) / std::pow(kG, dimension + 1);
+  const double x = 0.5 + double(i + 1) / portable::pow(kG, dimension + 1);
   return x - std::floor(x);
 }
 
 Vec3d direction(double z, double turn) {
   const double r = std::sqrt(1 - z * z);
-  return {r * std::cos(2 * kPi * turn), r * std::sin(2 * kPi * turn), z};
+  return {r * portable::cos(2 * kPi * turn), r * portable::sin(2 * kPi * turn), z};
 }
 
 // Bilinear and clamped, at (x, y) of the texture from −1 to 1.

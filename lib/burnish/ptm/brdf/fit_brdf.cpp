@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "burnish/core/parallel.h"
+#include "burnish/core/portable_math.h"
 #include "burnish/ptm/brdf/light_cap.h"
 #include "burnish/ptm/light_matrix.h"
 
@@ -28,7 +29,7 @@ Matrix6 uniform_moments() {
 }
 
 double centre(int i, int size) { return (2 * i + 1.0) / size - 1; }
-bool inside(int x, int y, int size) { return std::hypot(centre(x, size), centre(y, size)) < 1; }
+bool inside(int x, int y, int size) { return portable::hypot(centre(x, size), centre(y, size)) < 1; }
 
 Colours fit_texel(const Brdf& brdf, LightWeights weights, const std::vector<CapPoint>& points,
                   const Matrix6& hemisphere) {
@@ -50,13 +51,13 @@ Colours fit_texel(const Brdf& brdf, LightWeights weights, const std::vector<CapP
 
 // The texel inside of the disc that is nearest to one outside of it; the first of several.
 std::pair<int, int> nearest_inside(int x, int y, int size) {
-  const double r = std::hypot(centre(x, size), centre(y, size));
+  const double r = portable::hypot(centre(x, size), centre(y, size));
   const auto on_rim = [&](int i) { return int(std::floor((centre(i, size) / r + 1) * size / 2)); };
   std::pair<int, int> best;
   double least = HUGE_VAL;
   for (int j = std::max(0, on_rim(y) - 2); j <= std::min(size - 1, on_rim(y) + 2); j++)
     for (int i = std::max(0, on_rim(x) - 2); i <= std::min(size - 1, on_rim(x) + 2); i++) {
-      const double d = std::hypot(i - x, j - y);
+      const double d = portable::hypot(i - x, j - y);
       if (inside(i, j, size) && d < least) least = d, best = {i, j};
     }
   return best;

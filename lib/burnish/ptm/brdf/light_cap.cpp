@@ -4,13 +4,15 @@
 #include <cmath>
 #include <utility>
 
+#include "burnish/core/portable_math.h"
+
 namespace burnish {
 namespace {
 
 // A direction of the lune about `middle`: `towards` is where α grows to.
 Vec3d on_lune(Vec3d middle, Vec3d towards, double alpha, double w) {
   const Vec3d axis = cross(middle, towards);
-  return axis * w + (middle * std::cos(alpha) + towards * std::sin(alpha)) * std::sqrt(1 - w * w);
+  return axis * w + (middle * portable::cos(alpha) + towards * portable::sin(alpha)) * std::sqrt(1 - w * w);
 }
 
 }  // namespace
@@ -19,7 +21,7 @@ LightCaps::LightCaps(BrdfCoordinates coordinates, int points)
     : coordinates_(coordinates), place_(points), weight_(points) {
   // Newton's steps to the zeros of Legendre's polynomial (Abramowitz & Stegun 25.4.29).
   for (int i = 0; i < points; i++) {
-    double x = std::cos(kPi * (i + 0.75) / (points + 0.5)), slope = 0;
+    double x = portable::cos(kPi * (i + 0.75) / (points + 0.5)), slope = 0;
     for (int step = 0; step < 8; step++) {
       double before = 1, now = x;
       for (int k = 2; k <= points; k++) before = std::exchange(now, ((2 * k - 1) * x * now - (k - 1) * before) / k);
@@ -35,11 +37,11 @@ void LightCaps::points_at(double x, double y, std::vector<CapPoint>& out) const 
   const Vec3d n{0, 0, 1}, given{x, y, std::sqrt(std::max(0.0, 1 - x * x - y * y))};
   const bool is_half = coordinates_ == BrdfCoordinates::kHalfDifference;
   const Vec3d middle = is_half ? given : n;
-  const double sine = std::hypot(x, y);
+  const double sine = portable::hypot(x, y);
   const Vec3d down = sine > 0 ? Vec3d{x / sine, y / sine, 0} : Vec3d{1, 0, 0};
   const Vec3d towards = is_half ? n * sine - down * given.z : down;  // from H to the normal
   const HalfFrame frame = half_frame(middle);
-  const double widest = is_half ? std::atan2(given.z, sine) : kPi / 2;
+  const double widest = is_half ? portable::atan2(given.z, sine) : kPi / 2;
   for (std::size_t i = 0; i < place_.size(); i++)
     for (std::size_t k = 0; k < place_.size(); k++) {
       const Vec3d d = on_lune(middle, towards, widest * place_[i], place_[k]);

@@ -1,6 +1,6 @@
 #include "burnish/render/anisotropy/reflectance_maps.h"
 
-#include <cmath>
+#include "burnish/core/portable_math.h"
 
 namespace burnish {
 
@@ -10,7 +10,7 @@ ReflectanceMaps read_reflectance_maps(const Reflectance& r) {
   out.bumpy = !r.source.normals.empty();
   if (!r.is_strand()) return out;
   if (r.source.directions.empty()) {
-    const Vec3d t{std::cos(r.source.angle_rad), std::sin(r.source.angle_rad), 0};
+    const Vec3d t{portable::cos(r.source.angle_rad), portable::sin(r.source.angle_rad), 0};
     out.directions.assign(out.material.t.size(), Vec3f(t));
   } else {
     out.directions = read_direction_map(r.source.directions, r.source.direction_coding).vectors;

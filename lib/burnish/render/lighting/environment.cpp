@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "burnish/core/error.h"
+#include "burnish/core/portable_math.h"
 #include "burnish/core/texel_check.h"
 #include "burnish/render/lookup.h"
 #include "burnish/render/transform.h"
@@ -24,7 +25,8 @@ std::shared_ptr<const Panorama> Panorama::read(const FileRef& file) {
 }
 
 Vec3d Panorama::at(Vec3d d) const {
-  const double u = 0.5 + std::atan2(d.x, -d.z) / (2 * kPi), v = 0.5 + std::asin(std::clamp(d.y, -1.0, 1.0)) / kPi;
+  const double u = 0.5 + portable::atan2(d.x, -d.z) / (2 * kPi),
+               v = 0.5 + portable::asin(std::clamp(d.y, -1.0, 1.0)) / kPi;
   const BilinearTaps taps = bilinear_taps(u, v, image_.width, image_.height, {.repeat_v = false});
   Vec3d sum;
   for (int i = 0; i < 4; i++) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "burnish/brdf/light_factor.h"
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
+#include "burnish/core/portable_math.h"
 #include "burnish/render/anisotropy/local_view.h"
 #include "burnish/render/picture.h"
 #include "burnish/render/ptm/ptm_assets.h"
@@ -42,7 +42,7 @@ Stored<R> filtered(const Image& texels, const TextureTaps& taps) {
 }
 
 // Decodes sRGB, and goes on with its curve above 1.
-double linear(double srgb) { return srgb <= 1 ? linear_from_srgb(srgb) : std::pow((srgb + 0.055) / 1.055, 2.4); }
+double linear(double srgb) { return srgb <= 1 ? linear_from_srgb(srgb) : portable::pow((srgb + 0.055) / 1.055, 2.4); }
 
 class PtmPath : public ShadingPath {
  public:
