@@ -5,10 +5,11 @@
 
 namespace burnish::fuzz {
 
-inline void read_measured_surface(const FileRef& file) {
-  const auto brdf = read_measured_brdf(file);
-  brdf->reflected({0, 0, 1}, normalized(Vec3d{0.3, -0.2, 0.6}));
-  brdf->reflected(normalized(Vec3d{1, 0, 1e-6}), normalized(Vec3d{-1, 1e-6, 1e-6}));
+inline void ask(const Brdf& brdf) {
+  brdf.reflected({0, 0, 1}, normalized(Vec3d{0.3, -0.2, 0.6}));
+  brdf.reflected(normalized(Vec3d{1, 0, 1e-6}), normalized(Vec3d{-1, 1e-6, 1e-6}));
 }
+
+inline void read_measured_surface(const FileRef& file) { ask(*read_measured_brdf(file)); }
 
 }  // namespace burnish::fuzz

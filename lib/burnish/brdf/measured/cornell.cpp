@@ -70,7 +70,8 @@ std::vector<double> read_wavelengths(Numbers& in) {
 
 }  // namespace
 
-std::shared_ptr<const Brdf> parse_cornell(const std::string& text, const std::string& name) {
+std::shared_ptr<const Brdf> parse_cornell(const std::string& text, const std::string& name,
+                                          const HalfDifferenceCells& cells) {
   Numbers in(text, name);
   const std::vector<Vec3d> weights = srgb_weights(read_wavelengths(in));
   constexpr double kSteepest = 1.5707, kTurn = 6.2832, kMostReflected = 1e6;
@@ -88,7 +89,7 @@ std::shared_ptr<const Brdf> parse_cornell(const std::string& text, const std::st
   if (samples.size() <= ScatteredReflectance::kNearest)
     in.fail("expected more than " + std::to_string(ScatteredReflectance::kNearest) + " samples, got " +
             std::to_string(samples.size()));
-  return interpolated(samples);
+  return interpolated(samples, cells);
 }
 
 }  // namespace burnish

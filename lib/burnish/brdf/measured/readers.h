@@ -8,11 +8,14 @@
 #include <string>
 
 #include "burnish/brdf/brdf.h"
+#include "burnish/brdf/measured/half_difference_table.h"
 
 namespace burnish {
 
 std::shared_ptr<const Brdf> parse_merl(const std::string& bytes, const std::string& name);
-std::shared_ptr<const Brdf> parse_cornell(const std::string& bytes, const std::string& name);
+// Interpolated into cells, which takes time that follows their number.
+std::shared_ptr<const Brdf> parse_cornell(const std::string& bytes, const std::string& name,
+                                          const HalfDifferenceCells& cells = {});
 std::shared_ptr<const Brdf> parse_mbsdf(const std::string& bytes, const std::string& name);
 
 // The files are little-endian, and so is the machine.
