@@ -10,6 +10,7 @@
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
 #include "burnish/core/sound_header.h"
+#include "burnish/core/texel_limit.h"
 #include "burnish/core/whole_image.h"
 
 namespace burnish {
@@ -90,6 +91,12 @@ struct ImageReader::Impl {
       throw file_error(
           ErrorKind::kMalformed, file.name,
           "is too short for " + std::to_string(spec.width) + "x" + std::to_string(spec.height) + " texels");
+    // Tiles are decoded whole, however much larger than the image they say they are; few texels are too few to matter.
+    constexpr std::size_t kMostInTile = 8 * 1032, kFew = 1 << 16;
+    if (!unknown && spec.tile_pixels() > kFew && spec.tile_pixels() / kMostInTile > bytes)
+      throw file_error(ErrorKind::kMalformed, file.name,
+                       "is too short for tiles of " + std::to_string(spec.tile_width) + "x" +
+                           std::to_string(spec.tile_height) + " texels");
   }
 
   void read(int first, int count, OIIO::TypeDesc type, void* out) {
@@ -144,6 +151,7 @@ ImageReader::ImageReader(const FileRef& file) : impl_(std::make_unique<Impl>()) 
   if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
     throw file_error(ErrorKind::kMalformed, file.name, "expected an image with texels, got none");
   impl_->require_room();
+  require_within_texel_limit(file.name, std::uint32_t(spec.width), std::uint32_t(spec.height));
 }
 
 ImageReader::~ImageReader() = default;

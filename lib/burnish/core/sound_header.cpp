@@ -1,14 +1,18 @@
 #include "burnish/core/sound_header.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <string_view>
 
 #include "burnish/core/error.h"
+#include "burnish/core/physical_memory.h"
+#include "burnish/core/texel_limit.h"
 
 namespace burnish {
 namespace {
@@ -46,14 +50,23 @@ class HeaderBytes {
     return std::uint32_t(word(b, 0) << 24 | word(b, 1) << 16 | word(b, 2) << 8 | word(b, 3));
   }
 
+  // Written out, behind blanks and comments; 0 where there is none.
+  std::uint32_t number() {
+    while (std::isspace(in_.peek()) || in_.peek() == '#')
+      in_.ignore(in_.peek() == '#' ? std::numeric_limits<std::streamsize>::max() : 1, '\n');
+    std::uint32_t number = 0;
+    return in_ >> number ? number : 0;
+  }
+
   // Of what is called so, where it has that many bytes.
   void require_left(std::int64_t count, const std::string& what) {
     if (count > left())
       fail("expected " + std::to_string(count) + " bytes of " + what + ", got " + std::to_string(left()));
   }
-  [[noreturn]] void fail(const std::string& message) const {
-    throw file_error(ErrorKind::kMalformed, file_.name, message);
+  [[noreturn]] void fail(const std::string& message, ErrorKind kind = ErrorKind::kMalformed) const {
+    throw file_error(kind, file_.name, message);
   }
+  const std::string& name() const { return file_.name; }
 
  private:
   static std::uint32_t word(const std::string& bytes, int i) { return std::uint8_t(bytes[i]); }
@@ -182,6 +195,35 @@ void require_sound_bmp(HeaderBytes& in) {
   const std::int64_t width = is_old ? first & 0xffff : std::int32_t(first),
                      height = is_old ? first >> 16 : std::abs(std::int64_t(std::int32_t(second)));
   if (width * height > in.size() * kMostTexels) in.fail("is too short for " + size_text(width, height) + " texels");
+  if (width > 0) require_within_texel_limit(in.name(), std::uint32_t(width), std::uint32_t(height));
+}
+
+// Segments: 0xff, what it is, its length of 16 bits, which counts itself. Frames say their height and width behind a
+// byte.
+void require_sound_jpeg(HeaderBytes& in) {
+  constexpr std::int64_t kMostTexels = 8 * 32 * 32;  // in a byte
+  in.skip(2);
+  for (std::uint32_t head = in.big_endian(); in && head >> 24 == 0xff; head = in.big_endian()) {
+    const std::uint32_t kind = head >> 16 & 0xff;
+    if (kind >= 0xc0 && kind <= 0xcf && kind != 0xc4 && kind != 0xc8 && kind != 0xcc) {
+      in.skip(1);
+      const std::uint32_t sides = in.big_endian(), height = sides >> 16, width = sides & 0xffff;
+      if (in && std::int64_t(width) * height / kMostTexels <= in.size())
+        require_within_texel_limit(in.name(), width, height);
+      return;
+    }
+    in.skip(std::int64_t(head & 0xffff) - 2);
+  }
+}
+
+// Taken whole as it is opened, however few texels it speaks of.
+void require_sound_pnm(HeaderBytes& in) {
+  in.skip(2);
+  const std::uint32_t width = in.number(), height = in.number();
+  if (std::uint64_t(width) * height / 8 <= std::uint64_t(in.size()))
+    require_within_texel_limit(in.name(), width, height);
+  if (std::uint64_t(in.size()) > physical_memory())
+    in.fail("is larger than memory: " + std::to_string(in.size()) + " bytes", ErrorKind::kUnsupported);
 }
 
 }  // namespace
@@ -194,6 +236,8 @@ void require_sound_header(const FileRef& file) {
   if (magic == "v/1\x01") require_sound_exr(in);
   else if (magic == "\x89PNG") require_sound_png(in);
   else if (magic.starts_with("BM")) require_sound_bmp(in);
+  else if (magic.starts_with("\xff\xd8\xff")) require_sound_jpeg(in);
+  else if (magic[0] == 'P' && std::isalnum(std::uint8_t(magic[1]))) require_sound_pnm(in);
 }
 
 }  // namespace burnish

@@ -11,6 +11,9 @@ namespace burnish {
 //        or a tile has more texels than deflate can pack into the file
 //   PNG  where a chunk but of texels is larger than what is left of the file
 //   BMP  where there are more texels than run-length codes can pack into the file
+//   PNM  where the file is larger than memory, kUnsupported
+//
+// BMP, PNM and JPEG, which may be unpacked as they are opened, are held against the limit of texel_limit.h too.
 void require_sound_header(const FileRef& file);
 
 }  // namespace burnish

@@ -2,22 +2,31 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 #include "burnish/core/error.h"
+#include "burnish/core/physical_memory.h"
 
 namespace burnish {
 
 std::string read_file(const FileRef& file, std::size_t most) {
   require_readable(file);
+  const auto require_fitting = [&](std::uintmax_t size) {
+    if (size > most)
+      throw file_error(ErrorKind::kMalformed, file.name,
+                       "expected at most " + std::to_string(most) + " bytes, got more");
+    if (size > physical_memory())
+      throw file_error(ErrorKind::kUnsupported, file.name, "is larger than memory: " + std::to_string(size) + " bytes");
+  };
+  std::error_code is_pipe;
+  if (const std::uintmax_t size = std::filesystem::file_size(file.path, is_pipe); !is_pipe) require_fitting(size);
   std::ifstream in(file.path, std::ios::binary);
   std::string bytes;
   char piece[1 << 16];
   while (in.read(piece, sizeof piece), in.gcount() > 0) {
     bytes.append(piece, std::size_t(in.gcount()));
-    if (bytes.size() > most)
-      throw file_error(ErrorKind::kMalformed, file.name,
-                       "expected at most " + std::to_string(most) + " bytes, got more");
+    require_fitting(bytes.size());
   }
   if (!in.is_open() || in.bad()) throw file_error(ErrorKind::kIo, file.name, "cannot be read");
   return bytes;

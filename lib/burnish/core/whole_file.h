@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-// kIo where it cannot be read; kMalformed for more than `most` bytes.
+// kIo where it cannot be read; kMalformed for more than `most` bytes; kUnsupported for more than the machine has.
 std::string read_file(const FileRef& file, std::size_t most = std::size_t(1) << 30);
 // kIo where it cannot be written.
 void write_file(const FileRef& file, std::string_view bytes);

@@ -2,23 +2,23 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <sstream>
 
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
+#include "burnish/core/whole_file.h"
 
 namespace burnish {
 namespace {
 
 constexpr const char* kBlank = " \t\r";
 constexpr std::size_t kMostPhotos = 1 << 16;
+constexpr std::size_t kMostBytes = std::size_t(1) << 28;  // of a list with the longest names
 
 class ListReader {
  public:
-  explicit ListReader(const FileRef& file) : file_(file), in_(file.path, std::ios::binary) {
-    if (!in_.is_open()) throw file_error(ErrorKind::kIo, file.name, "cannot be read");
-  }
+  explicit ListReader(const FileRef& file) : file_(file), in_(read_file(file, kMostBytes)) {}
 
   std::vector<LitPhoto> read() {
     const std::size_t count = read_count();
@@ -83,7 +83,7 @@ class ListReader {
   }
 
   FileRef file_;
-  std::ifstream in_;
+  std::istringstream in_;
   std::string line_;
   int number_ = 0;
 };

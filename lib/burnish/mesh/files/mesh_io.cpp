@@ -3,27 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 
 #include "burnish/core/error.h"
+#include "burnish/core/whole_file.h"
 #include "burnish/mesh/files/mesh_readers.h"
 
 namespace burnish {
 namespace {
 
-std::string bytes_of(const FileRef& file) {
-  require_readable(file);
-  std::ifstream in(file.path, std::ios::binary);
-  std::string bytes;
-  for (std::size_t chunk = 1 << 16; in; chunk *= 2) {
-    const std::size_t size = bytes.size();
-    bytes.resize(size + chunk);
-    in.read(bytes.data() + size, std::streamsize(chunk));
-    bytes.resize(size + std::size_t(in.gcount()));
-  }
-  if (in.bad()) throw file_error(ErrorKind::kIo, file.name, "cannot be read");
-  return bytes;
-}
+constexpr std::size_t kMostBytes = std::size_t(1) << 40;  // memory ends before
 
 PolygonMesh read_polygons(MeshFileType type, std::string_view bytes, const std::string& name) {
   switch (type) {
@@ -42,7 +30,7 @@ PolygonMesh read_polygons(MeshFileType type, std::string_view bytes, const std::
 
 Mesh read_mesh(const FileRef& file, MeshReadStats* stats) {
   const MeshFileType type = mesh_file_type_of(file.name);  // before the file is opened
-  return parse_mesh(type, bytes_of(file), file.name, stats);
+  return parse_mesh(type, read_file(file, kMostBytes), file.name, stats);
 }
 
 Mesh parse_mesh(MeshFileType type, std::string_view bytes, const std::string& name, MeshReadStats* stats) {

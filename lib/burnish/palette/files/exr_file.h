@@ -37,6 +37,8 @@ auto reading_exr(const FileRef& file, const Body& body) {
     return body();
   } catch (const Error&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw file_error(ErrorKind::kMalformed, file.name, codec_message(error.what(), file));
   }
@@ -58,6 +60,8 @@ class ExrStream final : public Imf::OStream {
     try {
       body();
     } catch (const Error&) {
+      throw;
+    } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
       close();  // says why, if it was the disk

@@ -6,8 +6,20 @@
 
 #include "burnish/core/error.h"
 #include "burnish/core/sound_header.h"
+#include "burnish/core/texel_limit.h"
 
 namespace burnish::detail {
+namespace {
+
+std::unique_ptr<IndexSource> open_if_indexed(const FileRef& file, IndexFormat format, GreenAxis green) {
+  if (format == IndexFormat::kPng && is_indexed_png(file)) return open_indexed_png(file, green);
+  if (format == IndexFormat::kExr && is_indexed_exr(file)) return open_indexed_exr(file);
+  if (format == IndexFormat::kKtx2) return open_indexed_ktx2(file);
+  if (format == IndexFormat::kDds) return open_indexed_dds(file);
+  return nullptr;
+}
+
+}  // namespace
 
 IndexFormat format_of(const FileRef& file) {
   require_readable(file);
@@ -24,11 +36,9 @@ IndexFormat format_of(const FileRef& file) {
 }
 
 std::unique_ptr<IndexSource> open_indexed(const FileRef& file, IndexFormat format, GreenAxis green) {
-  if (format == IndexFormat::kPng && is_indexed_png(file)) return open_indexed_png(file, green);
-  if (format == IndexFormat::kExr && is_indexed_exr(file)) return open_indexed_exr(file);
-  if (format == IndexFormat::kKtx2) return open_indexed_ktx2(file);
-  if (format == IndexFormat::kDds) return open_indexed_dds(file);
-  return nullptr;
+  std::unique_ptr<IndexSource> source = open_if_indexed(file, format, green);
+  if (source) require_within_texel_limit(file.name, std::uint32_t(source->width), std::uint32_t(source->height));
+  return source;
 }
 
 std::string materials_to_json(const std::vector<MaterialInterval>& materials) {

@@ -9,6 +9,7 @@
 #include "burnish/core/checked_file.h"
 #include "burnish/core/error.h"
 #include "burnish/core/number_text.h"
+#include "burnish/core/texel_limit.h"
 #include "burnish/core/whole_file.h"
 #include "burnish/ptm/files/header_text.h"
 #include "burnish/ptm/files/jpeg_planes.h"
@@ -99,6 +100,8 @@ PtmFile read_ptm(const FileRef& file) {
   for (int& b : out.bias) b = header.integer("a bias", -kMost, kMost);
   if (!floats_hold(out.scale, out.bias))
     header.fail("expected coefficients that floats hold, got a scale or bias beyond them");
+  // Raw bytes are as many as they say; what JPEG packs is not.
+  if (is_jpeg) require_within_texel_limit(file.name, std::uint32_t(out.width), std::uint32_t(out.height));
   if (is_jpeg) read_jpeg_planes(header, out);
   else read_raw(header.body("biases"), magic != "PTM_1.2", header, out);
   return out;

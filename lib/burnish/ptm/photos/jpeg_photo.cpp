@@ -9,6 +9,7 @@
 
 #include "burnish/core/codec_message.h"
 #include "burnish/core/error.h"
+#include "burnish/core/texel_limit.h"
 #include "burnish/ptm/photos/photo.h"
 
 namespace burnish::detail {
@@ -54,6 +55,7 @@ class JpegPhoto : public Photo {
         throw file_error(
             ErrorKind::kUnsupported, file.name,
             "expected red, green and blue, or grey, got " + std::to_string(jpeg_.num_components) + " components");
+      require_within_texel_limit(file.name, jpeg_.image_width, jpeg_.image_height);
     } catch (...) {
       jpeg_destroy_decompress(&jpeg_);
       throw;
