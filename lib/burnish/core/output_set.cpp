@@ -39,18 +39,28 @@ void withdraw(int slot) {
   if (slot >= 0) std::free(const_cast<char*>(g_temporaries[slot].exchange(nullptr)));
 }
 
-// Creates a file that did not exist, or returns an empty string with errno set.
-std::string create_unique(const fs::path& directory, const std::string& name) {
+struct Temporary {
+  std::string path;
+  int slot = -1;
+};
+
+// Creates a file that did not exist; without a path, and errno set, where that cannot be. Published first, so that no
+// signal falls between.
+Temporary create_unique(const fs::path& directory, const std::string& name) {
   const std::string stem = name.substr(0, 200);  // of the 255 bytes a name may have
   for (int n = 0; n < 1000; n++) {
     const fs::path p =
         directory / ("." + stem + "." + std::to_string(::getpid()) + "-" + std::to_string(n) + ".burnish-tmp");
+    const int slot = publish(p.string());
     const int fd = ::open(p.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (fd >= 0) {
       ::close(fd);
-      return p.string();
+      return {p.string(), slot};
     }
-    if (errno != EEXIST) return {};
+    const int error = errno;
+    withdraw(slot);
+    errno = error;
+    if (error != EEXIST) return {};
   }
   return {};
 }
@@ -88,6 +98,7 @@ void copy_to_stream(const FileRef& file, bool is_stdout) {
   std::vector<char> buffer(1 << 20);
   while (const std::size_t n = error ? 0 : std::fread(buffer.data(), 1, buffer.size(), in))
     if (std::fwrite(buffer.data(), 1, n, out) != n) error = errno ? errno : EIO;
+  if (in && std::ferror(in) && !error) error = EIO;
   if (in) std::fclose(in);
   if (out && (is_stdout ? std::fflush(out) : std::fclose(out)) != 0 && !error) error = errno;
   if (error) throw cannot_write(file.name, error);
@@ -120,16 +131,16 @@ FileRef OutputSet::add(const std::string& name, int rank) {
       throw file_error(ErrorKind::kUsage, name, "is named as an output twice");
   for (const std::string& in : inputs_)
     if (same_file(in, name)) throw is_an_input(name);
-  const std::string path = create_unique(t.has_parent_path() ? t.parent_path() : fs::path("."), t.filename().string());
+  const auto [path, slot] = create_unique(t.has_parent_path() ? t.parent_path() : fs::path("."), t.filename().string());
   if (path.empty()) throw cannot_write(name, errno);
-  outputs_.push_back({FileRef(path, name), t.string(), publish(path), rank, Kind::kFile});
+  outputs_.push_back({FileRef(path, name), t.string(), slot, rank, Kind::kFile});
   return outputs_.back().file;
 }
 
 FileRef OutputSet::add_stream(Kind kind, const std::string& name, int rank) {
-  const std::string path = create_unique(scratch_directory(), "burnish-stdout");
+  const auto [path, slot] = create_unique(scratch_directory(), "burnish-stdout");
   if (path.empty()) throw cannot_write(scratch_directory().string(), errno);
-  outputs_.push_back({FileRef(path, name), name, publish(path), rank, kind});
+  outputs_.push_back({FileRef(path, name), name, slot, rank, kind});
   return outputs_.back().file;
 }
 
@@ -139,12 +150,15 @@ void OutputSet::make_directory(const std::string& name) {
     at /= part;
     std::error_code ignored;
     if (fs::is_directory(at, ignored)) continue;
-    if (::mkdir(at.c_str(), 0777) != 0)
+    const int slot = publish(at.string());
+    if (::mkdir(at.c_str(), 0777) != 0) {
+      const int error = errno;
+      withdraw(slot);
       throw file_error(ErrorKind::kIo, name,
                        "cannot be made a directory: " +
-                           (errno == EEXIST ? "'" + at.string() + "' is a file" : std::strerror(errno)));
-    directories_.push_back({at.string()});
-    directories_.back().slot = publish(at.string());
+                           (error == EEXIST ? "'" + at.string() + "' is a file" : std::strerror(error)));
+    }
+    directories_.push_back({at.string(), slot});
   }
 }
 
@@ -196,9 +210,10 @@ void OutputSet::remove_all_temporaries() noexcept {
     if (const char* path = g_temporaries[i].load()) ::rmdir(path);
 }
 
-ScratchFile::ScratchFile() : path_(create_unique(scratch_directory(), "burnish-stdin")), slot_(-1) {
-  if (path_.empty()) throw cannot_write(scratch_directory().string(), errno);
-  slot_ = publish(path_);
+ScratchFile::ScratchFile() {
+  const auto [path, slot] = create_unique(scratch_directory(), "burnish-stdin");
+  if (path.empty()) throw cannot_write(scratch_directory().string(), errno);
+  path_ = path, slot_ = slot;
 }
 
 ScratchFile::~ScratchFile() {

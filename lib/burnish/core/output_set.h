@@ -47,7 +47,7 @@ class OutputSet {
   };
   struct Directory {
     std::string path;
-    int slot = -1;
+    int slot;
   };
   FileRef add_stream(Kind kind, const std::string& name, int rank);
 

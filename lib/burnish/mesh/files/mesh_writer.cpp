@@ -1,6 +1,8 @@
 // The mesh files that are written, as text, so that every type holds the same nine digits.
+#include <cerrno>
 #include <charconv>
 #include <concepts>
+#include <cstring>
 #include <fstream>
 
 #include "burnish/core/error.h"
@@ -99,13 +101,15 @@ void write_stl(TextWriter& out, const Mesh& mesh) {
 void write_mesh(const FileRef& file, MeshFileType type, const Mesh& mesh) {
   if (mesh.has_uvs() && (type == MeshFileType::kOff || type == MeshFileType::kStl))
     throw file_error(ErrorKind::kUnsupported, file.name, "texture coordinates are written as OBJ or PLY only");
+  errno = 0;
   std::ofstream stream(file.path, std::ios::binary);
   TextWriter out(stream);
   if (type == MeshFileType::kObj) write_obj(out, mesh);
   else if (type == MeshFileType::kPly) write_ply(out, mesh);
   else if (type == MeshFileType::kOff) write_off(out, mesh);
   else write_stl(out, mesh);
-  if (!stream.flush()) throw file_error(ErrorKind::kIo, file.name, "cannot be written");
+  if (!stream.flush())
+    throw file_error(ErrorKind::kIo, file.name, std::string("cannot be written: ") + std::strerror(errno));
 }
 
 }  // namespace burnish
