@@ -24,14 +24,18 @@ CLI::Validator range_check(T least, T most, const std::string& wanted, const std
       shown);
 }
 
-}  // namespace
-
-CLI::Validator in_range(int least, int most) {
+template <typename T>
+CLI::Validator integers(T least, T most) {
   const std::string from = std::to_string(least), to = std::to_string(most);
-  if (most == std::numeric_limits<int>::max())
+  if (most == std::numeric_limits<T>::max())
     return range_check(least, most, "an integer of at least " + from, from + "..");
   return range_check(least, most, "an integer from " + from + " to " + to, from + ".." + to);
 }
+
+}  // namespace
+
+CLI::Validator in_range(int least, int most) { return integers(least, most); }
+CLI::Validator in_range(std::int64_t least, std::int64_t most) { return integers(least, most); }
 
 CLI::Validator in_range(double least, double most) {
   const std::string from = number_text(least), to = number_text(most);

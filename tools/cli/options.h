@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -37,6 +38,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& flag, T& value, const 
 
 // For check() of an option: a number in a range, both ends included.
 CLI::Validator in_range(int least, int most);
+CLI::Validator in_range(std::int64_t least, std::int64_t most);
 CLI::Validator in_range(double least, double most);
 
 // --y, --encoding and --channels of a normal map that is read; the last only with_channels.

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <limits>
 
 #include "burnish/core/error.h"
 #include "burnish/core/parallel.h"
@@ -21,16 +22,11 @@
 #include "cli/exit_code.h"
 #include "cli/manual.h"
 #include "cli/options.h"
+#include "cli/sudden_end.h"
 #include "cli/version.h"
 
 namespace burnish::cli {
 namespace {
-
-extern "C" void remove_temporaries_and_die(int signal) {
-  OutputSet::remove_all_temporaries();
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
 
 // On standard output; the exit code.
 int print(const std::string& text) { return std::cout << text << std::flush ? kOk : kIo; }
@@ -57,14 +53,18 @@ std::string parse_message(const CLI::ParseError& error) {
 }
 
 void spool_standard_input(const std::string& path) {
+  const auto fail = [](const std::string& what) {
+    throw file_error(ErrorKind::kIo, kStandardInput, what + ": " + std::strerror(errno));
+  };
+  const std::string cannot_be_kept = "cannot be kept in a temporary file";
   std::ofstream out(path, std::ios::binary);
   std::vector<char> buffer(1 << 20);
   for (ssize_t n; (n = ::read(STDIN_FILENO, buffer.data(), buffer.size())) != 0;) {
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0 || !out.write(buffer.data(), n))
-      throw file_error(ErrorKind::kIo, kStandardInput, "cannot be read into a temporary file");
+    if (n < 0) fail("cannot be read");
+    if (!out.write(buffer.data(), n)) fail(cannot_be_kept);
   }
-  if (!out.flush()) throw file_error(ErrorKind::kIo, kStandardInput, "cannot be read into a temporary file");
+  if (!out.flush()) fail(cannot_be_kept);
 }
 
 }  // namespace
@@ -87,6 +87,12 @@ Tool::Tool(const ToolText& text, Libraries (*libraries)())
       ->check(in_range(0, 4096))
       ->type_name("N")
       ->group("Common");
+  if (libraries().limit_threads)  // there are codecs
+    app_.add_option("--max-texels", max_texels_,
+                    "Refuse inputs that say they have more texels; default 1073741824, 32768x32768")
+        ->check(in_range(std::int64_t(1), std::numeric_limits<std::int64_t>::max()))
+        ->type_name("N")
+        ->group("Common");
   app_.add_option("--report", report_, "Write what was done and measured as JSON; '-' is standard output")
       ->type_name("FILE")
       ->group("Common");
@@ -201,15 +207,16 @@ int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
     return fail(kUsage, parse_message(error) + " (" + text_.name + " --help explains)");
   }
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like any other
-  for (int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGXFSZ}) std::signal(s, remove_temporaries_and_die);
   try {
     if (!verbose_) silence_codecs();
+    end_cleanly(text_.name, ::fileno(messages_));
     output_set_.emplace();
     bar_.emplace(messages_, text_.name, quiet_);
     // Reserved before any work, put into place after what they speak of.
     if (!report_.empty()) report_file_ = output_set_->add(report_, 1);
     if (!depfile_.empty()) depfile_file_ = output_set_->add(depfile_, 2);
     const ThreadLimit limit(threads_);
+    set_texel_limit(max_texels_);
     if (const auto limit_threads = libraries_().limit_threads) limit_threads(threads_);
     const auto start = std::chrono::steady_clock::now();
     const Json stats = action();
@@ -225,12 +232,9 @@ int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
   } catch (const CLI::ParseError& error) {
     output_set_.reset();
     return fail(kUsage, error.what());
-  } catch (const std::bad_alloc&) {
-    output_set_.reset();
-    return fail(kInternal, "out of memory");
   } catch (const std::exception& error) {
     output_set_.reset();
-    return fail(kInternal, error.what());
+    return fail(kInternal, message_of(error));
   }
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <cstdio>
 #include <deque>
 #include <functional>
@@ -16,6 +17,7 @@
 #include "burnish/core/image_io.h"
 #include "burnish/core/output_set.h"
 #include "burnish/core/progress.h"
+#include "burnish/core/texel_limit.h"
 #include "cli/image_libraries.h"
 #include "cli/progress_bar.h"
 
@@ -66,6 +68,7 @@ class Tool {
   CLI::App app_;
   bool quiet_ = false, verbose_ = false;
   int threads_ = 0;
+  std::int64_t max_texels_ = kDefaultTexelLimit;
   std::string report_, depfile_;
   FileRef report_file_, depfile_file_;
   std::FILE* messages_ = stderr;  // where this tool's own lines go

@@ -1,9 +1,9 @@
 // burnish-ptm info: what a file says.
 #include <array>
-#include <fstream>
 #include <memory>
+#include <sstream>
 
-#include "burnish/core/error.h"
+#include "burnish/core/whole_file.h"
 #include "burnish/ptm/coefficient_range.h"
 #include "ptm/ptm.h"
 
@@ -41,13 +41,13 @@ Json run(Tool& tool, const std::string& input) {
   const CLI::Option* report = tool.app().get_option("--report");
   if (report->count() && report->as<std::string>() == "-") return stats;  // standard output is the report's
   const FileRef out = tool.write("-");
-  std::ofstream text(out.path, std::ios::binary);
+  std::ostringstream text;
   text << map.format << ", " << name(map.made_of) << ", " << shape.width << "x" << shape.height << " texels\n"
        << table(stats);
   for (const char* key : {"parameters", "noise_factor", "source"})
     if (map.description.is_object() && map.description.contains(key))
       text << key << ": " << map.description[key].dump() << "\n";
-  if (!text.flush()) throw file_error(ErrorKind::kIo, kStandardOutput, "cannot be written");
+  write_file(out, text.str());
   return stats;
 }
 
