@@ -134,5 +134,18 @@ TEST_F(SoundHeader, ReadersAsk) {
   EXPECT_ERROR(ImageReader(dir_ / "x.tga"), ErrorKind::kMalformed, "is too short for 65535x65535 texels");
 }
 
+// What codecs unpack as they open it: of enough bytes for that many texels, and of more texels than the limit.
+TEST_F(SoundHeader, WhatIsUnpackedAtOnceIsHeldAgainstTheLimit) {
+  const std::string segment("\xff\xe0\x00\x04xx", 6), frame("\xff\xc2\x00\x0b\x08\xff\xdc\xff\xdc\x01", 10);
+  accepted("\xff\xd8" + segment + frame);  // too short, as its reader says
+  for (const auto& [bytes, size, texels] : {std::tuple("\xff\xd8" + segment + frame, 600000, "4290250000"),
+                                            {"P1\n# of bits\n40000 40000\n", 200000000, "1600000000"}}) {
+    write_bytes(dir_ / "x", bytes);
+    std::filesystem::resize_file(dir_ / "x", std::uintmax_t(size));
+    EXPECT_ERROR(require_sound_header(dir_ / "x"), ErrorKind::kUnsupported,
+                 std::string("max-texels: expected at least ") + texels);
+  }
+}
+
 }  // namespace
 }  // namespace burnish
