@@ -22,12 +22,27 @@ teardown() {
   for tool in $(every_tool); do
     succeeds "$tool" --version
     grep -qE '^burnish [0-9]+\.[0-9]+\.[0-9]+ \(.+\), .+, (oneTBB [0-9.]+|std::thread), CLI11 [0-9.]+$' out || { cat out; return 1; }
-    if ldd "$BURNISH_BIN/$tool" | grep -q libOpenImageIO; then
-      grep -qE ', OpenImageIO [0-9.]+' out || { cat out; return 1; }
-    else
-      [ "$tool" = burnish-batch ]  # which reads no images, and starts at once
+    if [ "$tool" != burnish-batch ]; then  # which reads no images
+      grep -qE ', OpenImageIO [0-9.]+, OpenEXR [0-9.]+, libpng [0-9.]+' out || { cat out; return 1; }
     fi
   done
+}
+
+@test "no tool waits for OpenImageIO at its start" {
+  for tool in $(every_tool); do
+    ldd "$BURNISH_BIN/$tool" >libraries
+    if grep -q libOpenImageIO libraries; then return 1; fi
+    [ "$(wc -l <libraries)" -le 25 ] || { cat libraries; return 1; }
+  done
+}
+
+@test "without the module of further image types: PNG and EXR, and exit 2 for others" {
+  make_image bumps 8 8 h.png
+  make_image bumps 8 8 h.tif
+  cp "$BURNISH_BIN/burnish-normals" .  # which does not find it from here
+  succeeds ./burnish-normals h.png -o n.exr
+  refuses 2 "'h.tif': expected the module burnish-openimageio.so for files of its type, got none" ./burnish-normals h.tif -o x.png
+  refuses 2 "'x.tif': expected the module burnish-openimageio.so" ./burnish-normals h.png -o x.tif
 }
 
 @test "--help and -h: exit 0, on standard output, with the exit codes" {

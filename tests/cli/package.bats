@@ -8,10 +8,13 @@ load helpers
   dpkg -x burnish_*.deb root
   for tool in "$BURNISH_BIN"/burnish-*; do
     tool=$(basename "$tool")
-    ! ldd root/usr/bin/$tool | grep "not found"
+    if ldd root/usr/bin/$tool | grep "not found\|libOpenImageIO"; then return 1; fi
     [ -s root/usr/share/man/man1/$tool.1 ]
     [ -s root/usr/share/bash-completion/completions/$tool ]
     root/usr/bin/$tool --version >/dev/null
   done
   [ -s root/usr/lib/cmake/burnish/burnishConfig.cmake ]
+  make_image bumps 8 8 h.tif  # by the module of further image types
+  readelf -d root/usr/bin/burnish-normals | grep -q 'RUNPATH.*\[$ORIGIN/../lib/burnish\]'
+  succeeds root/usr/bin/burnish-normals h.tif -o n.tif
 }

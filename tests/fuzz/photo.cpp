@@ -1,4 +1,4 @@
-// Photographs: JPEG through libjpeg, others through OpenImageIO.
+// Photographs: JPEG through libjpeg, others as images.
 #include "burnish/ptm/photos/photo.h"
 
 #include <algorithm>

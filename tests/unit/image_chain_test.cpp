@@ -4,7 +4,6 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfTiledInputFile.h>
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -131,27 +130,6 @@ TEST(ImageChain, RowsOfTheBaseBetweenLevels) {
     EXPECT_EQ(row, std::vector<float>(levels[0].row(y), levels[0].row(y) + 100));
     EXPECT_EQ(reader.read_level(2).data, levels[2].data);
   }
-}
-
-TEST(ImageChain, SizesRoundedUpAreRefused) {
-  const ScratchDir dir;
-  std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("openexr");
-  int w = 5;
-  for (auto mode : {OIIO::ImageOutput::Create, OIIO::ImageOutput::AppendMIPLevel, OIIO::ImageOutput::AppendMIPLevel,
-                    OIIO::ImageOutput::AppendMIPLevel}) {
-    OIIO::ImageSpec spec(w, w, 1, OIIO::TypeDesc::FLOAT);
-    spec.tile_width = spec.tile_height = 64;
-    spec.attribute("textureformat", "Plain Texture");
-    spec.attribute("openexr:roundingmode", 1);
-    ASSERT_TRUE(out->open(dir / "up.exr", spec, mode)) << out->geterror();
-    const std::vector<float> texels(std::size_t(w) * w);
-    ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, texels.data()));
-    w = (w + 1) / 2;
-  }
-  out->close();
-  out.reset();  // the file is complete only now
-  ImageReader reader(dir / "up.exr");
-  EXPECT_ERROR(read_image_chain(reader), ErrorKind::kMalformed, "expected 2x2 texels in level 1, got 3x3");
 }
 
 TEST(ImageChain, ChainsThatEndEarlyAndIntegersAreRefused) {

@@ -1,6 +1,5 @@
 #include "burnish/normal/normal_mips.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,45 +10,14 @@
 #include "burnish/core/mip.h"
 #include "burnish/core/mip_average.h"
 #include "expect_error.h"
+#include "normal_mips_fixture.h"
 #include "on_threads.h"
 #include "scratch_dir.h"
 
 namespace burnish {
 namespace {
 
-using testing::ScratchDir;
-
-Image random_normals(int width, int height, unsigned seed = 1) {
-  std::mt19937 random(seed);
-  std::normal_distribution<float> slope(0, 0.3f);
-  Image normals(width, height, 3);
-  for (std::size_t i = 0; i < normals.texels(); i++) {
-    const Vec3f n = normalized(Vec3f{slope(random), slope(random), 1});
-    std::copy_n(&n.x, 3, &normals.data[3 * i]);
-  }
-  return normals;
-}
-
-// All rows of all levels.
-struct Levels {
-  std::vector<Image> means, alphas;
-};
-
-Levels made(NormalMips& mips) {
-  Levels all;
-  const auto add = [](std::vector<Image>& to, int level, int first, const Image& rows) {
-    if (level >= int(to.size())) to.resize(level + 1);
-    Image& of = to[level];
-    EXPECT_EQ(of.height, first) << "level " << level;
-    of.width = rows.width, of.channels = rows.channels, of.height += rows.height;
-    of.data.insert(of.data.end(), rows.data.begin(), rows.data.end());
-  };
-  mips.make([&](const NormalMips::Rows& rows) {
-    add(all.means, rows.level, rows.first, rows.means);
-    if (!rows.alphas.data.empty()) add(all.alphas, rows.level, rows.first, rows.alphas);
-  });
-  return all;
-}
+using testing::Levels, testing::made, testing::random_normals, testing::ScratchDir;
 
 std::vector<Image> means_of(const Image& normals) {
   const ScratchDir dir;
@@ -131,36 +99,6 @@ TEST(NormalMips, LevelsAreMeansOfTheBase) {
     for (int y = 0; y < height; y++)
       for (int x = 0; x < width; x++) mean += vector_at(odd, x, y) / double(odd.texels());
     EXPECT_NEAR(length(vector_at(means_of(odd).back(), 0, 0) - mean), 0, 1e-6) << width << "x" << height;
-  }
-}
-
-// From files in tiles and in rows, of one band and of many: each level is the mean of the whole one above.
-TEST(NormalMips, AreTheSameFromTilesAndFromRows) {
-  const ScratchDir dir;
-  const std::pair<int, int> sizes[] = {{1, 1}, {5, 3}, {127, 65}, {3, 9001}, {9000, 70}};
-  for (const auto& [w, h] : sizes) {
-    const Image base = random_normals(w, h);
-    for (const char* file : {"n.exr", "n.tif"})
-      for (const int tile : {0, 16, 64}) {
-        OIIO::ImageSpec spec(w, h, 3, OIIO::TypeDesc::FLOAT);
-        spec.tile_width = spec.tile_height = tile;
-        spec.attribute("compression", "zip");
-        const auto out = OIIO::ImageOutput::create(dir / file);
-        ASSERT_TRUE(out && out->open(dir / file, spec) && out->write_image(OIIO::TypeDesc::FLOAT, base.data.data()));
-        ASSERT_TRUE(out->close());
-        NormalMips mips(dir / file, {}, 0);
-        const std::vector<Image> means = made(mips).means;
-        ASSERT_EQ(int(means.size()), level_count(w, h));
-        Image level = base;
-        for (std::size_t i = 0; i < base.texels(); i++) {  // what a reader makes of what is nearly unit
-          const Vec3f n(normalized(Vec3d(base.data[3 * i], base.data[3 * i + 1], base.data[3 * i + 2])));
-          std::copy_n(&n.x, 3, &level.data[3 * i]);
-        }
-        for (std::size_t l = 0; l < means.size(); l++) {
-          EXPECT_EQ(means[l].data, level.data) << w << "x" << h << " " << file << " tile " << tile << " level " << l;
-          level = next_mean_level(level);
-        }
-      }
   }
 }
 

@@ -5,6 +5,6 @@
 
 namespace burnish::cli {
 
-Libraries image_libraries() { return {codec_version() + ", " + palette_library_versions() + ", ", set_codec_threads}; }
+std::string image_libraries() { return codec_versions() + palette_library_versions() + ", "; }
 
 }  // namespace burnish::cli

@@ -69,15 +69,14 @@ void spool_standard_input(const std::string& path) {
 
 }  // namespace
 
-Tool::Tool(const ToolText& text, Libraries (*libraries)())
-    : text_(text), libraries_(libraries), app_(text.summary, text.name) {
+Tool::Tool(const ToolText& text, std::string (*libraries)()) : text_(text), app_(text.summary, text.name) {
   app_.footer("Example:\n" + text.example +
               "\n\nExit codes: 0 ok, 1 usage, 2 file cannot be read or written, 3 input is malformed or does not fit,\n"
               "4 internal, 5 not supported, 10 a check or threshold was not met.");
   app_.set_help_flag("-h,--help", "Print this help and exit");
   app_.set_version_flag("--version", [libraries] {
-    return std::string("burnish " BURNISH_VERSION " (" BURNISH_GIT_DESCRIBE "), " BURNISH_COMPILER ", ") +
-           libraries().versions + thread_library() + ", CLI11 " CLI11_VERSION;
+    return std::string("burnish " BURNISH_VERSION " (" BURNISH_GIT_DESCRIBE "), " BURNISH_COMPILER ", ") + libraries() +
+           thread_library() + ", CLI11 " CLI11_VERSION;
   });
   app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   app_.add_flag("-q,--quiet", quiet_, "Nothing on standard error but errors")->group("Common");
@@ -87,7 +86,7 @@ Tool::Tool(const ToolText& text, Libraries (*libraries)())
       ->check(in_range(0, 4096))
       ->type_name("N")
       ->group("Common");
-  if (libraries().limit_threads)  // there are codecs
+  if (libraries != no_libraries)  // images are read
     app_.add_option("--max-texels", max_texels_,
                     "Refuse inputs that say they have more texels; default 1073741824, 32768x32768")
         ->check(in_range(std::int64_t(1), std::numeric_limits<std::int64_t>::max()))
@@ -217,7 +216,6 @@ int Tool::run(int argc, char** argv, const std::function<Json()>& action) {
     if (!depfile_.empty()) depfile_file_ = output_set_->add(depfile_, 2);
     const ThreadLimit limit(threads_);
     set_texel_limit(max_texels_);
-    if (const auto limit_threads = libraries_().limit_threads) limit_threads(threads_);
     const auto start = std::chrono::steady_clock::now();
     const Json stats = action();
     finish(stats, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

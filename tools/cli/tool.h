@@ -33,7 +33,7 @@ struct ToolText {
 
 class Tool {
  public:
-  explicit Tool(const ToolText& text, Libraries (*libraries)() = image_libraries);
+  explicit Tool(const ToolText& text, std::string (*libraries)() = image_libraries);
 
   CLI::App& app() { return app_; }
 
@@ -64,7 +64,6 @@ class Tool {
   void finish(const Json& stats, double seconds);
 
   ToolText text_;
-  Libraries (*libraries_)();
   CLI::App app_;
   bool quiet_ = false, verbose_ = false;
   int threads_ = 0;

@@ -1,10 +1,11 @@
 // Image files in and out, in bands of rows, with data kept as data.
 //
-// The only user of OpenImageIO. Samples are never colour-converted, multiplied by alpha or rotated; integers read as
-// floats are divided by their maximum, floats are taken as they are. Writers put no clock and no path into a file.
-// Errors: kIo where a file is missing, a directory, unreadable or unwritable; kMalformed where its content is damaged
-// or of no known type; kUnsupported where it is valid but beyond what is read here: volumes,
-// deep images, data windows that are not the whole image.
+// PNG is read and written by libpng, EXR by OpenEXR, all other types by OpenImageIO, which a module brings along when
+// the first of them is opened (codecs/openimageio.h; kIo where it is not installed). Samples are never
+// colour-converted, multiplied by alpha or rotated; integers read as floats are divided by their maximum, floats are
+// taken as they are. Writers put no clock and no path into a file. Errors: kIo where a file is missing, a directory,
+// unreadable or unwritable; kMalformed where its content is damaged or of no known type; kUnsupported where it is valid
+// but beyond what is read here: volumes, deep images, data windows that are not the whole image.
 #pragma once
 
 #include <cstdint>
@@ -88,9 +89,7 @@ ByteImage read_ids(const FileRef& file, int width, int height);
 // One value a texel: whether the first channel differs from 0. kMalformed where the size differs.
 ByteImage read_mask(const FileRef& file, int width, int height);
 
-// How many threads the codecs may use; 0 leaves it to the machine.
-void set_codec_threads(int threads);
-// "OpenImageIO 2.4.7", for --version.
-std::string codec_version();
+// "OpenImageIO 2.4.7, OpenEXR 3.1.5, libpng 1.6.39, zlib 1.2.13", for --version.
+std::string codec_versions();
 
 }  // namespace burnish

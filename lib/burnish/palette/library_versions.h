@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-// "OpenEXR 3.1.5, libpng 1.6.39, zlib 1.2.13, libimagequant 2.17.0"; the last only where it is linked.
+// ", libimagequant 2.17.0" where it is linked, else empty.
 std::string palette_library_versions();
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// Photographs in what OpenImageIO reads, and the choice of the reader.
+// Photographs in what ImageReader reads, and the choice of the reader.
 #include <cmath>
 #include <fstream>
 #include <string_view>

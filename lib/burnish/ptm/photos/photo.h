@@ -1,7 +1,7 @@
 // A photograph of a capture, read row by row from the top as red, green and blue.
 //
 // Of more channels than three the first three are taken, of one or two the first for all. JPEG is decoded by
-// libjpeg with its defaults, everything else by OpenImageIO. Samples of 8 bits come as they are; others as floats, of
+// libjpeg with its defaults, everything else by ImageReader. Samples of 8 bits come as they are; others as floats, of
 // which 255 is the largest integer, and 1 in files of floats.
 #pragma once
 
