@@ -15,10 +15,13 @@ struct BandFitter::Block {
   static constexpr int kTexels = 512;
 
   int first, count;  // columns
-  float slope_u[kTexels], slope_v[kTexels];
-  float x[kTexels], y[kTexels], z[kTexels];
-  float tangents[kTexels];  // of half the angles to z
-  Vec3f normals[kTexels];
+  alignas(64) float slope_u[kTexels];
+  alignas(64) float slope_v[kTexels];
+  alignas(64) float x[kTexels];
+  alignas(64) float y[kTexels];
+  alignas(64) float z[kTexels];
+  alignas(64) float tangents[kTexels];  // of half the angles to z
+  alignas(64) Vec3f normals[kTexels];
 };
 
 BandFitter::BandFitter(const Neighborhood& neighborhood, const HeightMapOptions& options, int width, int height,
@@ -50,6 +53,8 @@ NormalBand BandFitter::fit(const HeightBand& band) const {
   const bool bytes = target_.sample == SampleType::kUint8, words = target_.sample == SampleType::kUint16;
   const std::size_t out_texel = 3 * (bytes ? 1 : words ? 2 : 4);
   out.samples = std::make_unique_for_overwrite<std::byte[]>(out_texel * width_ * band.rows);
+  const bool as_they_are = !is_integer(target_.sample) && !is_biased(target_.coding.encoding, false) &&
+                           target_.coding.green == GreenAxis::kUp;
   const auto block = std::make_unique_for_overwrite<Block>();
   for (int y = 0; y < band.rows; y++) {
     double tilt_sum = 0;
@@ -65,9 +70,10 @@ NormalBand BandFitter::fit(const HeightBand& band) const {
       const kernels::Tilts tilts = kernels::tilts(block->tangents, block->count);
       tilt_sum += tilts.sum;
       out.steepest = std::max<double>(out.steepest, tilts.steepest);
-      kernels::interleave({block->x, block->y, block->z}, block->count, block->normals);
-      encode_normals(block->normals, block->count, target_.coding, target_.sample,
-                     out.samples.get() + out_texel * (std::size_t(y) * width_ + x));
+      std::byte* to = out.samples.get() + out_texel * (std::size_t(y) * width_ + x);
+      Vec3f* normals = as_they_are ? reinterpret_cast<Vec3f*>(to) : block->normals;
+      kernels::interleave({block->x, block->y, block->z}, block->count, normals);
+      if (!as_they_are) encode_normals(normals, block->count, target_.coding, target_.sample, to);
     }
     if (!std::isfinite(tilt_sum))
       throw file_error(ErrorKind::kMalformed, name_,
