@@ -1,5 +1,7 @@
 #include <dlfcn.h>
 
+#include <new>
+
 #include "burnish/core/codecs/image_codecs.h"
 #include "burnish/core/codecs/openimageio.h"
 #include "burnish/core/error.h"
@@ -14,6 +16,8 @@ const OpenImageIo& openimageio(const FileRef& wanted_for) {
   static void* const module = ::dlopen(kModule, RTLD_NOW | RTLD_LOCAL);
   static const std::string why = module ? "" : ::dlerror();
   static const void* const symbol = module ? ::dlsym(module, kOpenImageIoSymbol) : nullptr;
+  const auto says = [](const char* text) { return why.find(text) != why.npos; };
+  if (says("failed to map segment") || says("cannot allocate memory")) throw std::bad_alloc();  // as glibc puts it
   if (!symbol)
     throw file_error(ErrorKind::kIo, wanted_for.name,
                      "expected the module " + std::string(kModule) + " for files of its type, got none (" + why + ")");
