@@ -230,7 +230,8 @@ class Sink final : public ImageSink {
   int next_ = 0;
 };
 
-void use_threads(int threads) { OIIO::attribute("threads", threads); }
+// Its pool has a thread less, and strips are deflated side by side only where it has two.
+void use_threads(int threads) { OIIO::attribute("threads", threads > 1 ? std::max(threads, 3) : 1); }
 
 }  // namespace
 }  // namespace burnish::detail
