@@ -36,14 +36,15 @@ struct PngWriter::Impl {
           if (writer.out.write(bytes, size) != size) throw writer.out.error(writer.file.name);
         },
         nullptr);
-    png_set_compression_level(png, 6);
-    png_set_compression_strategy(png, Z_DEFAULT_STRATEGY);
   }
   ~Impl() { png_destroy_write_struct(&png, &info); }
 
   void write_header(const PngForm& form) {
     png_set_IHDR(png, info, form.width, form.height, form.bits, colour_type(form), PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    // Of normals, 4 takes a third of the time of 6, for 3 % more bytes; of indices 5 two thirds, for 4 %.
+    png_set_compression_level(png, form.channels == 1 ? 5 : 4);
+    png_set_compression_strategy(png, Z_DEFAULT_STRATEGY);
     std::vector<png_color> palette;
     for (const PngColour& c : form.palette) palette.push_back({c[0], c[1], c[2]});
     if (!palette.empty()) png_set_PLTE(png, info, palette.data(), int(palette.size()));
