@@ -26,7 +26,8 @@ void table_shading(benchmark::State& state) {
   const Material phong{.id = {}, .terms = {Lambert{}, Phong{}}};
   const Material* const materials[] = {&phong};
   PaletteTable table(palette, materials, Transform{}, Blend{});
-  Illumination light;
+  const Arriving sun{normalized(Vec3d{0.3, 0.4, 0.8}), {1, 1, 1}};
+  const Illumination light{.lights = {&sun, 1}, .ambient = {}, .to_viewer = {0, 0, 1}};
   for (auto _ : state) {
     table.shade(light);
     benchmark::DoNotOptimize(table.plane(0).data());
