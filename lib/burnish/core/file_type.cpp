@@ -1,11 +1,11 @@
 #include "burnish/core/file_type.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <vector>
 
 #include "burnish/core/error.h"
+#include "burnish/core/lower_case.h"
 #include "burnish/core/wording.h"
 
 namespace burnish {
@@ -53,8 +53,7 @@ const char* name(SampleType type) {
 const char* name(FileType type) { return info_of(type).name; }
 
 std::optional<FileType> find_file_type(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string extension = lower_case_extension(file);
   for (const FileTypeInfo& t : file_types())
     for (const char* e : t.extensions)
       if (extension == e) return t.type;

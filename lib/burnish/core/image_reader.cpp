@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -8,6 +6,7 @@
 #include "burnish/core/codecs/image_codecs.h"
 #include "burnish/core/error.h"
 #include "burnish/core/image_io.h"
+#include "burnish/core/lower_case.h"
 #include "burnish/core/sound_header.h"
 #include "burnish/core/texel_limit.h"
 #include "burnish/core/whole_image.h"
@@ -36,9 +35,7 @@ std::string codec_from_signature(const FileRef& file) {
                      std::string("expected an image, got a ") + (h[0] == 'D' ? "DDS" : "KTX2") +
                          ", which is read as an indexed normal map only");
   if (h[0] == 'P' && ((h[1] >= '1' && h[1] <= '6') || h[1] == 'f' || h[1] == 'F')) return "pnm";
-  std::string extension = std::filesystem::path(file.name).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  if (extension == ".tga") return "targa";
+  if (lower_case_extension(file.name) == ".tga") return "targa";
   throw file_error(ErrorKind::kMalformed, file.name,
                    "expected an image (PNG, TIFF, EXR, JPEG, TGA, BMP, HDR or PNM), got something else");
 }

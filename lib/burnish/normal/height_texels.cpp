@@ -1,9 +1,7 @@
 #include "burnish/normal/height_texels.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "burnish/core/error.h"
+#include "burnish/core/lower_case.h"
 #include "burnish/core/wording.h"
 
 namespace burnish {
@@ -13,9 +11,8 @@ namespace {
 int channel_of(const ImageReader& reader, const std::string& wanted) {
   if (wanted.empty()) return 0;
   const std::vector<std::string>& names = reader.channel_names();
-  const auto lower = [](unsigned char c) { return std::tolower(c); };
   for (std::size_t i = 0; i < names.size(); i++)
-    if (std::ranges::equal(names[i], wanted, {}, lower, lower)) return int(i);
+    if (lower_case(names[i]) == lower_case(wanted)) return int(i);
   if (wanted.find_first_not_of("0123456789") == std::string::npos && wanted.size() < 5 &&
       std::stoi(wanted) < reader.channels())
     return std::stoi(wanted);

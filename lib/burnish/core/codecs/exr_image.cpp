@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <set>
 #include <string_view>
@@ -7,14 +6,10 @@
 
 #include "burnish/core/codecs/exr_file.h"
 #include "burnish/core/codecs/image_codecs.h"
+#include "burnish/core/lower_case.h"
 
 namespace burnish::detail {
 namespace {
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
-}
 
 // By layer, within one by what names are known to mean, then by themselves. X is known beside Y or Z only, and so is Z
 // as the third of them: by itself it is a depth.

@@ -1,19 +1,13 @@
 #include <algorithm>
-#include <cctype>
 
 #include "burnish/core/codecs/image_codecs.h"
 #include "burnish/core/codecs/png_file.h"
-#include "burnish/core/parallel.h"
+#include "burnish/core/lower_case.h"
 
 namespace burnish::detail {
 namespace {
 
 const std::string kDescription = "Description";  // of PNG; here it is ImageDescription
-
-bool is_description(std::string key) {
-  std::ranges::transform(key, key.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return key == "description";
-}
 
 class PngSource final : public ImageSource {
  public:
@@ -26,7 +20,7 @@ class PngSource final : public ImageSource {
     form_.sample = png.bits == 16 ? SampleType::kUint16 : SampleType::kUint8;
     form_.texel_bytes = std::size_t(png.channels) * png.bits / 8;
     for (const PngText& text : png.texts)
-      form_.attributes.emplace_back(is_description(text.key) ? "ImageDescription" : text.key, text.text);
+      form_.attributes.emplace_back(lower_case(text.key) == "description" ? "ImageDescription" : text.key, text.text);
   }
 
   void read_rows(int first, int count, float* out) override {

@@ -1,10 +1,7 @@
 #include "burnish/mesh/files/mesh_io.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-
 #include "burnish/core/error.h"
+#include "burnish/core/lower_case.h"
 #include "burnish/core/whole_file.h"
 #include "burnish/mesh/files/mesh_readers.h"
 
@@ -42,8 +39,7 @@ Mesh parse_mesh(MeshFileType type, std::string_view bytes, const std::string& na
 }
 
 MeshFileType mesh_file_type_of(const std::string& name) {
-  std::string extension = std::filesystem::path(name).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = lower_case_extension(name);
   if (extension == ".obj") return MeshFileType::kObj;
   if (extension == ".ply") return MeshFileType::kPly;
   if (extension == ".off") return MeshFileType::kOff;
