@@ -63,8 +63,8 @@ class HeaderBytes {
     if (count > left())
       fail("expected " + std::to_string(count) + " bytes of " + what + ", got " + std::to_string(left()));
   }
-  [[noreturn]] void fail(const std::string& message, ErrorKind kind = ErrorKind::kMalformed) const {
-    throw file_error(kind, file_.name, message);
+  [[noreturn]] void fail(const std::string& message) const {
+    throw file_error(ErrorKind::kMalformed, file_.name, message);
   }
   const std::string& name() const { return file_.name; }
 
@@ -222,8 +222,7 @@ void require_sound_pnm(HeaderBytes& in) {
   const std::uint32_t width = in.number(), height = in.number();
   if (std::uint64_t(width) * height / 8 <= std::uint64_t(in.size()))
     require_within_texel_limit(in.name(), width, height);
-  if (std::uint64_t(in.size()) > physical_memory())
-    in.fail("is larger than memory: " + std::to_string(in.size()) + " bytes", ErrorKind::kUnsupported);
+  require_memory_for(in.name(), std::uint64_t(in.size()));
 }
 
 }  // namespace

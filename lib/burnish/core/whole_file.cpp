@@ -16,8 +16,7 @@ std::string read_file(const FileRef& file, std::size_t most) {
     if (size > most)
       throw file_error(ErrorKind::kMalformed, file.name,
                        "expected at most " + std::to_string(most) + " bytes, got more");
-    if (size > physical_memory())
-      throw file_error(ErrorKind::kUnsupported, file.name, "is larger than memory: " + std::to_string(size) + " bytes");
+    require_memory_for(file.name, size);
   };
   std::error_code is_pipe;
   if (const std::uintmax_t size = std::filesystem::file_size(file.path, is_pipe); !is_pipe) require_fitting(size);
